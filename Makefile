@@ -1,0 +1,63 @@
+# The two commands of the README are `make reproduce` and `make test`.
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := help
+
+# One thread a process: runs are spread over the cores as processes, and bytes stay the same.
+export OMP_NUM_THREADS := 1
+export OPENBLAS_NUM_THREADS := 1
+# Any value of CI switches the rerun viewer's analytics off.
+export CI ?= true
+# Without cached bytecode every snakemake job would compile its imports anew.
+unexport PYTHONDONTWRITEBYTECODE
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+UV_VERSION := 0.13.9
+INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
+WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
+
+.PHONY: help environment reproduce test format lock benchmark clean
+
+help:  ## list the commands
+	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
+
+environment: $(VENV)/.ready  ## create .venv/ from requirements.lock
+
+$(VENV)/.ready: requirements.lock pyproject.toml workflows/system_libraries.py
+	$(PYTHON) -c 'import sys; sys.version_info >= (3, 11) or sys.exit("squat needs Python >= 3.11, this is " + sys.version.split()[0] + ": set PYTHON=")'
+	$(PYTHON) workflows/system_libraries.py
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check uv==$(UV_VERSION)
+	$(WITH_INDEX) $(BIN)/uv pip install --quiet --python $(BIN)/python --require-hashes -r requirements.lock
+	$(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --no-build-isolation -e .
+	touch $@
+
+reproduce: environment  ## reproduce the paper: every table, figure and the report in results/
+	$(BIN)/python workflows/unlock.py
+	PATH="$(CURDIR)/$(BIN):$$PATH" snakemake all
+
+test: environment  ## formatter, linter, types, architecture and all tests
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/snakefmt --check Snakefile workflows/rules
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n 2
+
+format: environment  ## rewrite the code in the house format
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+	$(BIN)/snakefmt Snakefile workflows/rules
+
+lock: environment  ## resolve requirements.lock anew
+	$(WITH_INDEX) $(BIN)/uv pip compile pyproject.toml --group dev --universal --python-version 3.11 \
+	    --generate-hashes --no-emit-index-url --no-header --no-annotate --upgrade -o requirements.lock
+
+benchmark: environment  ## timings as ratios within one run
+	$(BIN)/pytest benchmarks -o addopts="" --benchmark-only -p no:xdist
+
+clean:  ## remove what the runs and the tools wrote; keeps .venv
+	rm -rf results/*/ results/report.html multirun .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks

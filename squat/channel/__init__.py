@@ -1,0 +1,6 @@
+"""The hull and the channel that it moves in: frozen, checked geometry."""
+
+from squat.channel.channel import Channel
+from squat.channel.hull import Hull
+
+__all__ = ["Channel", "Hull"]

@@ -1,0 +1,39 @@
+"""Physical quantities as checked types: what a configuration may hold, in SI units.
+
+Every class of the configuration is a frozen pydantic dataclass over these types, so that a
+number is checked once, where it enters, whether it comes from a file, a shell or Python.
+"""
+
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict, Field
+
+Vector = NDArray[np.float64]
+"""Real array; every docstring names its shape."""
+
+STRICT = ConfigDict(extra="forbid")
+"""Unknown keys are refused; give it as ``@dataclass(frozen=True, kw_only=True, config=STRICT)``."""
+
+
+def _number(**bounds: Any) -> Any:
+    return Field(strict=True, allow_inf_nan=False, **bounds)
+
+
+Real = Annotated[float, _number(ge=-1e12, le=1e12)]
+Positive = Annotated[float, _number(gt=0, le=1e12)]
+NonNegative = Annotated[float, _number(ge=0, le=1e12)]
+Fraction = Annotated[float, _number(gt=0, le=1)]
+Length = Annotated[float, _number(gt=0, le=1e5)]
+"""Length [m] in (0, 1e5]."""
+Area = Annotated[float, _number(gt=0, le=1e10)]
+"""Area [m2] in (0, 1e10]."""
+Position = Annotated[float, _number(ge=-1e5, le=1e5)]
+"""Coordinate or displacement [m]."""
+Velocity = Annotated[float, _number(ge=-1e3, le=1e3)]
+"""Velocity component [m/s]."""
+Speed = Annotated[float, _number(ge=0, le=1e3)]
+"""Magnitude of a velocity [m/s]."""
+Count = Annotated[int, Field(strict=True, ge=1, le=10**9)]
+"""Positive integer."""

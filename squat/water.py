@@ -1,0 +1,21 @@
+"""The water that everything else moves in."""
+
+from pydantic.dataclasses import dataclass
+
+from squat.quantities import STRICT, Positive
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Water:
+    """Incompressible water under gravity (sections 2.4 and 3.1 of the paper).
+
+    Parameters
+    ----------
+    density
+        rho [kg/m3].
+    gravity
+        g [m/s2].
+    """
+
+    density: Positive
+    gravity: Positive
