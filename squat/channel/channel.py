@@ -2,6 +2,8 @@
 
 from pydantic.dataclasses import dataclass
 
+from squat.channel.hull import Hull
+from squat.errors import InputError
 from squat.quantities import STRICT, Length
 
 
@@ -22,3 +24,11 @@ class Channel:
     depth: Length
     upstream: Length
     downstream: Length
+
+
+def check_afloat(hull: Hull, channel: Channel) -> None:
+    """Raise InputError unless `hull` floats clear of the bottom of `channel`."""
+    if hull.draft >= channel.depth:
+        raise InputError(
+            f"hull.draft={hull.draft:g}: must be less than channel.depth={channel.depth:g}"
+        )

@@ -1,0 +1,5 @@
+"""The command `squat`."""
+
+from squat.cli.main import main
+
+__all__ = ["main"]

@@ -1,0 +1,49 @@
+"""What each task runs and what it writes."""
+
+import logging
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import xarray as xr
+
+from squat import analysis, figures, piston, records
+from squat.config.schema import Valid
+from squat.errors import InputError
+from squat.stability import run as equilibria
+
+_log = logging.getLogger(__name__)
+
+DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
+    "piston": piston.run,
+    "iterations": piston.study,
+    "equilibria": equilibria.run,
+}
+FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
+    "table": (".csv", analysis.write_table),
+    "verdicts": (".csv", analysis.write_verdicts),
+    "figure": (".png", figures.write_figure),
+}
+
+
+def run_task(valid: Valid, folder: Path) -> None:
+    """Run the task and write its output below `folder` (unless `out` is absolute)."""
+    task = valid.settings.task
+    suffix, write = FILES[task] if task in FILES else (".nc", None)
+    path = folder / (valid.settings.out or f"{task}{suffix}")
+    if path.suffix != suffix:
+        raise InputError(f"out={path}: must end in {suffix}; task={task} writes no other")
+    started = time.perf_counter()
+    if write is not None:
+        write(valid.case, path)
+        _log.info("%s: written", path)
+        return
+    dataset = DATASETS[task](valid.case)
+    records.save(dataset, path, valid.config, started)
+    _log.info("%s: written%s", path, _headline(dataset))
+
+
+def _headline(dataset: xr.Dataset) -> str:
+    status = dataset.attrs.get("status")
+    return f", status {status}" if status else ""

@@ -1,0 +1,33 @@
+"""Compose a configuration from `conf/` and overrides."""
+
+from pathlib import Path
+from typing import Any
+
+from hydra import compose as hydra_compose
+from hydra import initialize_config_dir
+from omegaconf import DictConfig, OmegaConf
+
+import squat
+
+
+def _conf() -> Path:
+    """`conf/` of the installed package, or of the source tree."""
+    package = Path(squat.__file__).parent
+    inside = package / "conf"
+    return inside if inside.is_dir() else package.parent / "conf"
+
+
+CONF = _conf()
+
+
+def plain(config: DictConfig) -> dict[str, Any]:
+    """Resolved plain containers: equal configurations compare and print equal."""
+    container = OmegaConf.to_container(config, resolve=True, throw_on_missing=True)
+    assert isinstance(container, dict)
+    return {str(key): value for key, value in container.items()}
+
+
+def compose(task: str, *overrides: str) -> dict[str, Any]:
+    """Configuration of `squat task=<task> <overrides>` as plain containers."""
+    with initialize_config_dir(str(CONF), version_base="1.3"):
+        return plain(hydra_compose("config", [f"task={task}", *overrides]))

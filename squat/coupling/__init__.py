@@ -1,0 +1,31 @@
+"""Partitioned coupling of a structure with a fluid: one loop, independent slots."""
+
+from squat.coupling.accelerators import Accelerator, Aitken, ConstantRelaxation, NoAcceleration
+from squat.coupling.criteria import Criterion
+from squat.coupling.loop import Coupling, State, Status, Step, advance, march
+from squat.coupling.predictors import PREDICTORS, Predictor, PredictorName
+from squat.coupling.problem import Load, Problem
+from squat.coupling.schemes import Scheme, SchemeName, corrected, standard
+
+__all__ = [
+    "PREDICTORS",
+    "Accelerator",
+    "Aitken",
+    "ConstantRelaxation",
+    "Coupling",
+    "Criterion",
+    "Load",
+    "NoAcceleration",
+    "Predictor",
+    "PredictorName",
+    "Problem",
+    "Scheme",
+    "SchemeName",
+    "State",
+    "Status",
+    "Step",
+    "advance",
+    "corrected",
+    "march",
+    "standard",
+]

@@ -1,0 +1,132 @@
+"""The one coupling loop: Algorithm 1, and Algorithm 2 with another problem in it."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from squat.coupling.accelerators import Accelerator
+from squat.coupling.criteria import Criterion
+from squat.coupling.predictors import LEVELS, Predictor
+from squat.coupling.problem import Problem
+from squat.coupling.schemes import Scheme
+from squat.dynamics import Integrator, Motion
+from squat.quantities import Vector
+
+Status = Literal["converged", "diverged", "iteration limit"]
+
+
+@dataclass(frozen=True)
+class Coupling:
+    """The loop's slots; each is independent of the others.
+
+    `scheme` maps the newest accepted motion to the structure solve of the next step, so that an
+    added mass may follow the structure.
+    """
+
+    scheme: Callable[[Motion], Scheme]
+    integrator: Integrator
+    accelerator: Accelerator
+    predictor: Predictor
+    criterion: Criterion
+
+
+@dataclass(frozen=True)
+class State:
+    """Where a run stands: accepted motions, newest first, and the problem's memory."""
+
+    past: tuple[Motion, ...]
+    memory: Any = None
+
+    @property
+    def motion(self) -> Motion:
+        """The newest accepted motion."""
+        return self.past[0]
+
+    def followed_by(self, motion: Motion, memory: Any) -> "State":
+        """State after one more accepted step."""
+        return replace(self, past=(motion, *self.past[: LEVELS - 1]), memory=memory)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One time step: its end, how the iteration went, and the answer accepted last.
+
+    `residuals` holds |q^{k+1} - q^k| [m] of every iteration; `contraction` is the signed
+    factor by which the residual vector changes from one iteration to the next.
+    """
+
+    status: Status
+    state: State
+    residuals: Vector
+    contraction: float
+    force: Vector = field(repr=False)
+
+    @property
+    def iterations(self) -> int:
+        """Number of structure solves."""
+        return len(self.residuals)
+
+
+def advance(problem: Problem, coupling: Coupling, state: State, dt: float) -> Step:
+    """Iterate one time step of size `dt` [s] until it converges, diverges or hits the limit."""
+    criterion = coupling.criterion
+    kinematics = coupling.integrator.kinematics(state.past, dt)
+    scheme = coupling.scheme(state.motion)
+    updates = coupling.accelerator.start()
+    trial = coupling.predictor(state.past, kinematics)
+    residuals: list[Vector] = []
+    first = 0.0
+    status: Status = "iteration limit"
+    while len(residuals) < criterion.iterations:
+        load = problem.load(trial, state.memory, dt)
+        answer = scheme.solve(load.force, trial, kinematics)
+        residuals.append(answer.position - trial.position)
+        size = float(np.sqrt(residuals[-1] @ residuals[-1]))
+        first = first or size
+        if criterion.met(size, answer.position):
+            status = "converged"
+            break
+        if criterion.lost(size, first):
+            status = "diverged"
+            break
+        trial = updates.next(trial, answer, kinematics)
+    history = np.array(residuals)
+    end = state.followed_by(answer, load.memory) if status == "converged" else state
+    norms = np.linalg.norm(history, axis=1)
+    return Step(status, end, norms, contraction(history), load.force)
+
+
+def contraction(residuals: Vector) -> float:
+    """Measured contraction factor of an iteration, NaN with fewer than three residuals.
+
+    Parameters
+    ----------
+    residuals
+        Residual vectors r^k, shape (iterations, n).
+
+    Notes
+    -----
+    The least-squares g of r^{k+1} = g r^k over the iterates that the predictor no longer
+    touches: it may start from a motion that does not satisfy the integrator (`hold` does),
+    so ratios count from the third iterate on.
+    """
+    before, after = residuals[1:-1], residuals[2:]
+    scale = np.abs(before).max(initial=0.0)
+    if scale == 0 or not np.isfinite(scale):
+        return float("nan")
+    before, after = before / scale, after / scale
+    return float(np.vdot(before, after) / np.vdot(before, before))
+
+
+def march(
+    problem: Problem, coupling: Coupling, state: State, dt: float, steps: int
+) -> Iterator[Step]:
+    """At most `steps` steps of size `dt` [s], ending with the first that does not converge."""
+    for _ in range(steps):
+        step = advance(problem, coupling, state, dt)
+        yield step
+        if step.status != "converged":
+            return
+        state = step.state

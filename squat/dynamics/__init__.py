@@ -1,0 +1,7 @@
+"""Motion of a rigid body in time: what it is, and how it is discretised."""
+
+from squat.dynamics.integrators import INTEGRATORS, Integrator, IntegratorName, Kinematics
+from squat.dynamics.motion import Motion
+from squat.dynamics.time import TimeGrid
+
+__all__ = ["INTEGRATORS", "Integrator", "IntegratorName", "Kinematics", "Motion", "TimeGrid"]

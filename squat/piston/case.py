@@ -1,0 +1,81 @@
+"""One piston run as a whole: what to solve, and how."""
+
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+
+
+from squat.coupling import (
+    PREDICTORS,
+    Accelerator,
+    Coupling,
+    Criterion,
+    PredictorName,
+    SchemeName,
+    corrected,
+    standard,
+)
+from squat.coupling.amplification import amplification_factor
+from squat.dynamics import INTEGRATORS, IntegratorName, TimeGrid
+from squat.piston.piston import Oscillator, Piston
+from squat.quantities import STRICT
+from squat.water import Water
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class PistonCase:
+    """A piston, its water, its time steps, and the four slots of the coupling loop."""
+
+    piston: Piston
+    water: Water
+    time: TimeGrid
+    scheme: SchemeName
+    integrator: IntegratorName
+    accelerator: Annotated[Accelerator, Field(discriminator="name")]
+    predictor: PredictorName
+    criterion: Criterion
+
+    @property
+    def oscillator(self) -> Oscillator:
+        """The problem in numbers."""
+        return Oscillator.of(self.piston, self.water)
+
+    @property
+    def dt(self) -> float:
+        """Time step [s]."""
+        return self.time.step(self.oscillator.omega)
+
+    @property
+    def added_mass(self) -> float:
+        """m_add [kg] of the scheme; 0 for the standard one."""
+        ratio = 0.0 if self.scheme == "standard" else self.piston.added_mass_ratio
+        return ratio * self.oscillator.fluid_mass
+
+    def amplification(self) -> float:
+        """G in closed form."""
+        problem = self.oscillator
+        return float(
+            amplification_factor(
+                problem.piston_mass,
+                problem.fluid_mass,
+                problem.stiffness,
+                self.dt,
+                INTEGRATORS[self.integrator],
+                self.added_mass,
+            )
+        )
+
+    def coupling(self) -> Coupling:
+        """The loop's slots."""
+        mass = self.oscillator.mass
+        m_add = np.array([[self.added_mass]])
+        scheme = standard(mass) if self.scheme == "standard" else corrected(mass, m_add)
+        return Coupling(
+            lambda motion: scheme,  # noqa: ARG005
+            INTEGRATORS[self.integrator],
+            self.accelerator,
+            PREDICTORS[self.predictor],
+            self.criterion,
+        )

@@ -1,0 +1,53 @@
+"""One piston run, from the case to its dataset."""
+
+import numpy as np
+import xarray as xr
+
+from squat.coupling import State, Step, march
+from squat.piston.case import PistonCase
+from squat.quantities import Vector
+from squat.records import build
+from squat.records.kinds import PISTON
+
+
+def steps(case: PistonCase) -> list[Step]:
+    """All steps of the run; the last may be one that did not converge."""
+    problem = case.oscillator
+    start = problem.start(case.piston.initial_position, case.piston.initial_velocity)
+    return list(march(problem, case.coupling(), State((start,)), case.dt, case.time.steps))
+
+
+def run(case: PistonCase) -> xr.Dataset:
+    """Dataset of kind `piston`; `status` tells a run that ended early."""
+    taken = steps(case)
+    done = [step for step in taken if step.status == "converged"]
+    failed = taken[len(done) :]
+    problem = case.oscillator
+    start = problem.start(case.piston.initial_position, case.piston.initial_velocity)
+    motions = [start, *(step.state.motion for step in done)]
+    position, velocity, acceleration = (np.concatenate(values) for values in zip(*motions, strict=True))
+    time = case.dt * np.arange(len(motions))
+    data = {
+        "time": time,
+        "position": position,
+        "velocity": velocity,
+        "acceleration": acceleration,
+        "exact_position": problem.exact(time, start),
+        "kinetic_energy": problem.kinetic_energy(velocity),
+        "potential_energy": problem.potential_energy(position),
+        "iterations": [0, *(step.iterations for step in done)],
+        "contraction": [np.nan, *(step.contraction for step in done)],
+        "residual": padded([np.empty(0), *(step.residuals for step in done)]),
+        "failed_residual": failed[0].residuals if failed else np.empty(0),
+        "predicted_contraction": case.amplification(),
+        "time_step": case.dt,
+    }
+    return build(PISTON, data, {"status": taken[-1].status, "scheme": case.scheme})
+
+
+def padded(rows: list[Vector]) -> Vector:
+    """Rows of unequal length as one array, shape (rows, longest), NaN where a row has ended."""
+    table = np.full((len(rows), max(map(len, rows))), np.nan)
+    for line, row in zip(table, rows, strict=True):
+        line[: len(row)] = row
+    return table

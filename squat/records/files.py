@@ -1,0 +1,113 @@
+"""Reading and writing: whole files only, errors of one line."""
+
+import os
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import h5netcdf  # noqa: F401  (a missing engine must fail at import, not after a long run)
+import xarray as xr
+
+from squat.errors import InputError
+from squat.records import provenance
+from squat.records.kinds import KINDS
+from squat.records.schema import Kind
+
+
+@contextmanager
+def atomic(path: Path) -> Iterator[Path]:
+    """A temporary path beside `path` that replaces it on success and vanishes on failure.
+
+    Raises
+    ------
+    InputError
+        Where `path` cannot be written (missing rights, full disk); an older file stays.
+    """
+    temporary: Path | None = None
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
+        os.close(handle)
+        temporary = Path(name)
+        yield temporary
+        _finish(temporary, path)
+    except OSError as error:
+        reason = error.strerror or str(error).splitlines()[0]
+        raise InputError(f"{path}: cannot be written ({reason}); give another out=FILE") from error
+    finally:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+
+
+def _finish(temporary: Path, path: Path) -> None:
+    mask = os.umask(0)
+    os.umask(mask)
+    temporary.chmod(0o666 & ~mask)
+    with temporary.open("rb+") as file:
+        os.fsync(file.fileno())
+    temporary.replace(path)
+
+
+def save(dataset: xr.Dataset, path: Path, config: Mapping[str, Any], started: float) -> None:
+    """Write `dataset` to `path` with provenance, or leave nothing behind.
+
+    Parameters
+    ----------
+    dataset
+        Made by `build`.
+    config
+        The resolved configuration of the run.
+    started
+        `time.perf_counter()` [s] when the run began.
+    """
+    stamped = dataset.assign_attrs(provenance.attributes(config, started))
+    stamped.attrs["content_sha256"] = provenance.digest(dataset)
+    no_fill = {name: {"_FillValue": None} for name in stamped.variables}
+    with atomic(path) as temporary:
+        stamped.to_netcdf(temporary, engine="h5netcdf", encoding=no_fill)
+
+
+def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
+    """Dataset in `path`, in memory, once it proved to be whole and of `kind` (None: any).
+
+    Raises
+    ------
+    InputError
+        Naming the file and what is wrong: absent, broken, foreign, newer, altered.
+    """
+    if not path.is_file():
+        raise InputError(f"{path}: no such file; give a dataset that squat wrote")
+    try:
+        with xr.open_dataset(path, engine="h5netcdf") as file:
+            dataset = file.load()
+    except Exception as error:
+        raise InputError(
+            f"{path}: not a readable NetCDF-4 file ({type(error).__name__}); write it again"
+        ) from error
+    found = _kind(dataset, path)
+    if kind is not None and found.name != kind.name:
+        raise InputError(
+            f"{path}: holds {found.name!r} in place of {kind.name!r}; "
+            f"give a file written by squat task={kind.name}"
+        )
+    found.check(dataset, str(path))
+    if dataset.attrs.get("content_sha256") != provenance.digest(dataset):
+        raise InputError(f"{path}: altered since it was written; write it again")
+    return dataset
+
+
+def _kind(dataset: xr.Dataset, path: Path) -> Kind:
+    label = str(dataset.attrs.get("schema", ""))
+    parts = label.split("/")
+    if len(parts) != 3 or parts[0] != "squat" or not parts[2].isdigit() or parts[1] not in KINDS:
+        raise InputError(
+            f"{path}: schema {label!r} is not one of squat's; give a file that squat wrote"
+        )
+    kind = KINDS[parts[1]]
+    if int(parts[2]) != kind.version:
+        newer = int(parts[2]) > kind.version
+        remedy = "update squat" if newer else f"write it again with squat task={kind.name}"
+        raise InputError(f"{path}: schema {label!r}, this squat reads {kind.label!r}; {remedy}")
+    return kind

@@ -1,0 +1,76 @@
+"""Where a dataset comes from: configuration, versions, revision, command, wall time."""
+
+import hashlib
+import json
+import shlex
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+import squat
+
+CONVENTIONS = "CF-1.11"
+PAPER = (
+    "E. Lefrançois, B. Yang, S. Kaidi, N. Mohamad, Overcoming the added mass effect in FSI "
+    "calculations relating to dynamic squat, Ocean Engineering 267 (2023) 113280, "
+    "doi:10.1016/j.oceaneng.2022.113280"
+)
+_LIBRARIES = ("numpy", "scipy", "xarray", "h5netcdf", "h5py", "hydra-core")
+
+
+@cache
+def revision() -> str:
+    """Git revision of the source tree that runs, with `-dirty`; `unknown` outside of one."""
+    root = Path(squat.__file__).parents[1]
+    if not (root / ".git").exists():
+        return "unknown"
+    command = ["git", "-C", str(root), "describe", "--always", "--dirty", "--abbrev=40"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    except OSError:
+        return "unknown"
+    return done.stdout.strip() or "unknown"
+
+
+def versions() -> dict[str, str]:
+    """Version of Python, squat and the libraries that numbers depend on."""
+    found = {name: version(name) for name in ("squat", *_LIBRARIES)}
+    return {"python": sys.version.split()[0], **found}
+
+
+def attributes(config: Mapping[str, Any], started: float) -> dict[str, str | float]:
+    """CF and provenance attributes; `started` is the run's `time.perf_counter()` [s]."""
+    now = datetime.now(UTC).isoformat(timespec="seconds")
+    return {
+        "Conventions": CONVENTIONS,
+        "history": f"{now} {shlex.join(['squat', *sys.argv[1:]])}",
+        "source": f"squat {squat.__version__}",
+        "references": PAPER,
+        "config": json.dumps(config),
+        "versions": json.dumps(versions()),
+        "git_revision": revision(),
+        "wall_time": round(time.perf_counter() - started, 6),
+    }
+
+
+def digest(dataset: xr.Dataset) -> str:
+    """SHA-256 over names, dimensions and values: equal for equal physics, whoever ran it."""
+    total = hashlib.sha256()
+    for name in sorted(map(str, dataset.variables)):
+        variable = dataset.variables[name]
+        total.update(repr((name, variable.dims, variable.shape)).encode())
+        values = variable.values
+        if values.dtype.kind in "OUST":
+            total.update(json.dumps(values.astype(str).tolist()).encode())
+        else:
+            total.update(np.ascontiguousarray(values, values.dtype.newbyteorder("<")).tobytes())
+    return total.hexdigest()

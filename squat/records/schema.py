@@ -1,0 +1,83 @@
+"""What a kind of dataset holds: names, dimensions, units."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from squat.errors import InputError
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable of a dataset: its dimensions, UDUNITS string and CF long name."""
+
+    dims: tuple[str, ...]
+    units: str
+    long_name: str
+    required: bool = True
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of dataset; `version` grows when a reader of older files would go wrong."""
+
+    name: str
+    version: int
+    title: str
+    variables: Mapping[str, Variable]
+    attributes: tuple[str, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """The `schema` attribute of a file of this kind."""
+        return f"squat/{self.name}/{self.version}"
+
+    def check(self, dataset: xr.Dataset, where: str) -> None:
+        """Raise InputError, naming `where`, unless `dataset` is of this kind."""
+        for name, variable in self.variables.items():
+            if name not in dataset.variables:
+                if variable.required:
+                    raise InputError(f"{where}: variable {name!r} is missing; {self._remedy}")
+                continue
+            found = dataset.variables[name]
+            if found.dims != variable.dims:
+                raise InputError(
+                    f"{where}: {name!r} has dimensions {found.dims} in place of "
+                    f"{variable.dims}; {self._remedy}"
+                )
+            if found.attrs.get("units") != variable.units:
+                raise InputError(
+                    f"{where}: {name!r} is in {found.attrs.get('units')!r} in place of "
+                    f"{variable.units!r}; {self._remedy}"
+                )
+        if missing := [name for name in self.attributes if name not in dataset.attrs]:
+            raise InputError(f"{where}: attribute {missing[0]!r} is missing; {self._remedy}")
+
+    @property
+    def _remedy(self) -> str:
+        return f"write it again with squat task={self.name}"
+
+
+def build(
+    kind: Kind, data: Mapping[str, Any], attributes: Mapping[str, Any] | None = None
+) -> xr.Dataset:
+    """Dataset of `kind` from plain arrays: dimensions, units and names come from the kind."""
+    variables = {
+        name: xr.Variable(
+            kind.variables[name].dims,
+            np.asarray(values),
+            {"units": kind.variables[name].units, "long_name": kind.variables[name].long_name},
+        )
+        for name, values in data.items()
+    }
+    coordinates = {name for name in variables if (name,) == variables[name].dims}
+    dataset = xr.Dataset(
+        {name: value for name, value in variables.items() if name not in coordinates},
+        {name: variables[name] for name in coordinates},
+        {"title": kind.title, "schema": kind.label, **(attributes or {})},
+    )
+    kind.check(dataset, kind.name)
+    return dataset

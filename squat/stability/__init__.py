@@ -1,0 +1,1 @@
+"""What the equations of motion imply without running them."""
