@@ -15,7 +15,11 @@ APT_PACKAGE = {
 
 def missing_packages() -> list[str]:
     """Debian packages of the libraries that the dynamic loader does not find."""
-    return [package for library, package in APT_PACKAGE.items() if ctypes.util.find_library(library) is None]
+    return [
+        package
+        for library, package in APT_PACKAGE.items()
+        if ctypes.util.find_library(library) is None
+    ]
 
 
 if __name__ == "__main__" and sys.platform == "linux" and (missing := missing_packages()):

@@ -90,3 +90,13 @@ def predicted_iterations(factor: ArrayLike, first_error: ArrayLike, tolerance: f
         more = np.log(tolerance / second) / np.log(g)
     count = np.where(second < tolerance, 2.0, 3.0 + np.floor(more))
     return np.where(g < 1, count, np.inf)
+
+
+def limit_mass_ratio(steps_per_period: int, integrator: Integrator) -> float:
+    """The m_f/m below which the standard scheme converges, for dt = 2 pi/(omega N).
+
+    With omega^2 = k/(m + m_f) of Eq. (5), G = -(r + e (1 + r)) for r = m_f/m and
+    e = (2 pi/N)^2/s3; |G| = 1 at r = (1 - e)/(1 + e), which tends to the paper's 1 as dt -> 0.
+    """
+    e = (2 * np.pi / steps_per_period) ** 2 / integrator.s3
+    return float((1 - e) / (1 + e))

@@ -61,7 +61,9 @@ class Newmark:
     def kinematics(self, past: Sequence[Motion], dt: float) -> Kinematics:
         """See `Integrator.kinematics`."""
         q, v, a = past[0]
-        return Kinematics(-v - (2 / dt) * q, self.s1, -a - (4 / dt) * v - (4 / dt**2) * q, self.s3, dt)
+        return Kinematics(
+            -v - (2 / dt) * q, self.s1, -a - (4 / dt) * v - (4 / dt**2) * q, self.s3, dt
+        )
 
 
 class Centred:

@@ -25,7 +25,9 @@ def run(case: PistonCase) -> xr.Dataset:
     problem = case.oscillator
     start = problem.start(case.piston.initial_position, case.piston.initial_velocity)
     motions = [start, *(step.state.motion for step in done)]
-    position, velocity, acceleration = (np.concatenate(values) for values in zip(*motions, strict=True))
+    position, velocity, acceleration = (
+        np.concatenate(values) for values in zip(*motions, strict=True)
+    )
     time = case.dt * np.arange(len(motions))
     data = {
         "time": time,

@@ -10,9 +10,9 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.coupling.amplification import predicted_iterations
-from squat.dynamics import INTEGRATORS
+from squat.dynamics import INTEGRATORS, IntegratorName
 from squat.piston.case import PistonCase
-from squat.piston.run import steps
+from squat.piston.run import run, steps
 from squat.progress import progress
 from squat.quantities import STRICT, Count, NonNegative, Positive, Vector
 from squat.records import build
@@ -89,6 +89,20 @@ def predict(case: PistonCase) -> float:
     return float(predicted_iterations(case.amplification(), error, case.criterion.tolerance).mean())
 
 
+def observed_order(case: PistonCase, integrator: IntegratorName) -> float:
+    """Order in dt of the error towards Eq. (5): greatest error with N and with 2 N steps.
+
+    Run with m_add = m_f, where the iteration error is far below the discretisation's.
+    """
+    case = replace(with_ratios(case, case.piston.mass_ratio, 1.0), integrator=integrator)
+    finer = replace(case.time, steps_per_period=2 * case.time.steps_per_period)
+    errors = [
+        float(abs(data["position"] - data["exact_position"]).max())
+        for data in map(run, (case, replace(case, time=finer)))
+    ]
+    return float(np.log2(errors[0] / errors[1]))
+
+
 def study(case: StudyCase) -> xr.Dataset:
     """Dataset of kind `iterations`: all cells, run over the cores."""
     cells = case.cells
@@ -121,6 +135,8 @@ def study(case: StudyCase) -> xr.Dataset:
         "density_predicted_contraction": [[cell.amplification() for cell in row] for row in sweep],
         "curve_mass_ratio": curve,
         "curve_iterations": predicted,
+        "integrator": list(INTEGRATORS),
+        "observed_order": [observed_order(case, name) for name in INTEGRATORS],
     }
     return build(ITERATIONS, data)
 

@@ -58,6 +58,10 @@ ITERATIONS = Kind(
         "curve_iterations": Variable(
             ("added_mass_ratio", "curve_mass_ratio"), "1", "predicted mean iterations"
         ),
+        "integrator": Variable(("integrator",), "1", "time integrator"),
+        "observed_order": Variable(
+            ("integrator",), "1", "order in time towards Eq. (5), from two step sizes"
+        ),
     },
 )
 

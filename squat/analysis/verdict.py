@@ -1,0 +1,36 @@
+"""How a computed number is judged against a printed one."""
+
+import math
+from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
+from typing import Literal
+
+Verdict = Literal["match", "differs", "paper inconsistent"]
+MATCH: Verdict = "match"
+DIFFERS: Verdict = "differs"
+INCONSISTENT: Verdict = "paper inconsistent"
+
+
+def judge(printed: str, here: float, *, count: bool = False) -> Verdict:
+    """`match` when `here`, rounded to the digits of `printed`, equals it.
+
+    Counts (`count`) are means over steps that the paper rounds down. A dash (an empty
+    `printed`) stands for a scheme that does not converge.
+    """
+    if printed in ("", "inf"):
+        return MATCH if math.isinf(here) else DIFFERS
+    if not math.isfinite(here):
+        return DIFFERS
+    paper = Decimal(printed)
+    exponent = paper.as_tuple().exponent
+    assert isinstance(exponent, int)
+    digits = Decimal(1).scaleb(exponent)
+    rounded = Decimal(here).quantize(digits, ROUND_DOWN if count else ROUND_HALF_UP)
+    return MATCH if rounded == paper else DIFFERS
+
+
+def difference(printed: str, here: float) -> float:
+    """`here` less the printed value; 0 where both are infinite, NaN where a dash is printed."""
+    if not printed:
+        return math.nan
+    paper = float(printed)
+    return 0.0 if paper == here else here - paper

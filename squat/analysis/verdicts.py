@@ -1,0 +1,91 @@
+"""One list of everything that the paper says and that can be checked."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import pandas as pd
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+
+from squat import published, records
+from squat.analysis.claims import CHECKS, Finding, Sources
+from squat.analysis.tables import write_csv
+from squat.analysis.verdict import Verdict, judge
+from squat.errors import InputError
+from squat.quantities import STRICT
+from squat.records.kinds import EQUILIBRIA, ITERATIONS
+
+COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
+_TABLE_COLUMNS = ("paper", "here", "difference", "verdict", "note")
+_UNITS = {"table1": "SI", "table2": "1", "table3": "1", "table7": "m"}
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class VerdictsCase:
+    """Where the evidence lies.
+
+    Parameters
+    ----------
+    tables
+        CSV files of task=table.
+    iterations, equilibria
+        Datasets of those tasks.
+    """
+
+    tables: Annotated[tuple[str, ...], Field(min_length=1)]
+    iterations: str
+    equilibria: str
+
+
+def table_rows(path: Path) -> list[dict[str, Any]]:
+    """Rows of the list from one table's CSV."""
+    try:
+        frame = pd.read_csv(path, dtype=str, keep_default_na=False)
+        keys = [column for column in frame.columns if column not in _TABLE_COLUMNS]
+        frame[list(_TABLE_COLUMNS)]
+    except (OSError, ValueError, KeyError) as error:
+        raise InputError(f"{path}: not a table of squat task=table; write it again") from error
+    where = path.stem.replace("table", "Table ")
+    return [
+        {
+            "claim": where + ": " + ", ".join(f"{key} = {row[key]}" for key in keys),
+            "where": where,
+            **{name: row[name] for name in ("paper", "here", "verdict", "note")},
+            "unit": _UNITS.get(path.stem, "1"),
+        }
+        for row in frame.to_dict("records")
+    ]
+
+
+def claim_rows(sources: Sources) -> list[dict[str, Any]]:
+    """Rows of the list from the paper's sentences."""
+    rows = []
+    for name, sentence in published.claims().iterrows():
+        found = CHECKS[str(name)](sources)
+        here = found.here if isinstance(found.here, str) else f"{found.here:.12g}"
+        rows.append(
+            {
+                **{key: sentence[key] for key in ("claim", "where", "paper", "unit")},
+                "here": here,
+                "verdict": _verdict(sentence["paper"], found),
+                "note": found.note,
+            }
+        )
+    return rows
+
+
+def _verdict(paper: str, found: Finding) -> Verdict:
+    if found.verdict is not None:
+        return found.verdict
+    assert isinstance(found.here, float)
+    return judge(paper, found.here, count=found.count)
+
+
+def write_verdicts(case: VerdictsCase, path: Path) -> None:
+    """Write the whole list as CSV."""
+    sources = Sources(
+        records.read(Path(case.iterations), ITERATIONS),
+        records.read(Path(case.equilibria), EQUILIBRIA),
+    )
+    rows = [row for name in case.tables for row in table_rows(Path(name))]
+    write_csv(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)

@@ -1,0 +1,31 @@
+"""One look for all figures."""
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+# Okabe and Ito's palette: distinct for colour-blind readers too.
+BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
+    "#0072B2",
+    "#E69F00",
+    "#009E73",
+    "#D55E00",
+    "#CC79A7",
+    "#56B4E9",
+)
+PALETTE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000")
+SETTINGS = {
+    "font.size": 10,
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+    "svg.hashsalt": "squat",
+    "savefig.dpi": 160,
+}
+
+
+def single(width: float = 6.4, height: float = 4.4) -> tuple[Figure, Axes]:
+    """A figure of one panel; sizes in inches."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.add_subplot()

@@ -1,0 +1,50 @@
+"""Draw a figure by name and write it as PNG and SVG."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Literal
+
+import matplotlib as mpl
+import xarray as xr
+from matplotlib.figure import Figure
+from pydantic.dataclasses import dataclass
+
+from squat import records
+from squat.figures.equilibria import fig10
+from squat.figures.iterations import iterations
+from squat.figures.style import SETTINGS
+from squat.quantities import STRICT
+from squat.records.kinds import EQUILIBRIA, ITERATIONS
+from squat.records.schema import Kind
+
+FIGURES: dict[str, tuple[Kind, Callable[[xr.Dataset], Figure]]] = {
+    "fig10": (EQUILIBRIA, fig10),
+    "iterations": (ITERATIONS, iterations),
+}
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class FigureCase:
+    """Which figure, from which dataset.
+
+    Parameters
+    ----------
+    figure
+        Name: `fig10`, or `iterations` (against mass ratio).
+    data
+        Path of the dataset.
+    """
+
+    figure: Literal["fig10", "iterations"]
+    data: str
+
+
+def write_figure(case: FigureCase, path: Path) -> None:
+    """Write the figure to `path` (.png) and beside it as .svg."""
+    kind, draw = FIGURES[case.figure]
+    with mpl.rc_context(SETTINGS):
+        figure = draw(records.read(Path(case.data), kind))
+        for target in (path, path.with_suffix(".svg")):
+            metadata = {"Date": None} if target.suffix == ".svg" else None
+            with records.atomic(target) as temporary:
+                figure.savefig(temporary, metadata=metadata)

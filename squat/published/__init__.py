@@ -1,0 +1,8 @@
+"""What the paper prints: tables and sentences, as text so that printed digits are kept.
+
+Nothing else in the code or the configuration repeats a printed result.
+"""
+
+from squat.published.reader import Printed, claims, table
+
+__all__ = ["Printed", "claims", "table"]
