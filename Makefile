@@ -36,7 +36,7 @@ $(VENV)/.ready: requirements.lock pyproject.toml workflows/system_libraries.py
 	touch $@
 
 reproduce: environment  ## reproduce the paper: every table, figure and the report in results/
-	$(BIN)/python workflows/unlock.py
+	PATH="$(CURDIR)/$(BIN):$$PATH" python workflows/unlock.py
 	PATH="$(CURDIR)/$(BIN):$$PATH" snakemake all
 
 test: environment  ## formatter, linter, types, architecture and all tests

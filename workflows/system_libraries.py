@@ -1,4 +1,4 @@
-"""Name the shared libraries that gmsh needs and this machine lacks, with the line that installs them."""
+"""Name the shared libraries that gmsh needs and this machine lacks, and how to install them."""
 
 import ctypes.util
 import sys

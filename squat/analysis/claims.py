@@ -25,7 +25,7 @@ class Finding(NamedTuple):
     here: float | str
     note: str = ""
     verdict: Verdict | None = None
-    count: bool = False
+    rounds_down: bool = False
 
 
 Check = Callable[[Sources], Finding]
@@ -89,7 +89,9 @@ def _(sources: Sources) -> Finding:
 @claim("constant_iterations")
 def _(sources: Sources) -> Finding:
     means = sources.iterations["mean_iterations"].sel(added_mass_ratio=1).values
-    return Finding(float(means.max()), f"least mean {means.min():.4g}, greatest shown", count=True)
+    return Finding(
+        float(means.max()), f"least mean {means.min():.4g}, greatest shown", rounds_down=True
+    )
 
 
 @claim("optimum")

@@ -1,6 +1,7 @@
 """The paper's tables, one row a printed cell."""
 
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -10,6 +11,7 @@ import xarray as xr
 from pydantic.dataclasses import dataclass
 
 from squat import published, records
+from squat.analysis.pages import write_frame
 from squat.analysis.verdict import DIFFERS, INCONSISTENT, Verdict, difference, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
@@ -38,7 +40,7 @@ class Here(NamedTuple):
 
     value: float
     note: str = ""
-    count: bool = False
+    rounds_down: bool = False
     inconsistent: bool = False
 
 
@@ -65,15 +67,15 @@ def _table2(data: xr.Dataset) -> Callable[[dict[str, str]], Here]:
         if keys["scheme"] == "standard" and keys["mf_over_m"] in excluded:
             low, high = excluded[keys["mf_over_m"]]
             note = f"Eq. (11) gives the printed count only at tolerances {low:.1e} to {high:.1e} m"
-            return Here(value, note, count=True, inconsistent=True)
-        return Here(value, "does not converge" if value == float("inf") else "", count=True)
+            return Here(value, note, rounds_down=True, inconsistent=True)
+        return Here(value, "does not converge" if value == float("inf") else "", rounds_down=True)
 
     return here
 
 
 def _table3(data: xr.Dataset) -> Callable[[dict[str, str]], Here]:
     return lambda keys: Here(
-        _cell(data, float(keys["madd_over_mf"]), float(keys["mf_over_m"])), count=True
+        _cell(data, float(keys["madd_over_mf"]), float(keys["mf_over_m"])), rounds_down=True
     )
 
 
@@ -149,15 +151,15 @@ def compare(number: int, data: xr.Dataset) -> pd.DataFrame:
     rows: list[dict[str, Any]] = []
     for keys, text in published.table(number):
         here = look_up(keys)
-        if here.value != here.value:
+        if math.isnan(here.value):
             continue
-        verdict: Verdict = judge(text, here.value, count=here.count)
+        verdict: Verdict = judge(text, here.value, rounds_down=here.rounds_down)
         if verdict == DIFFERS and here.inconsistent:
             verdict = INCONSISTENT
         apart = difference(text, here.value)
         ours = {
             "here": f"{here.value:.12g}",
-            "difference": f"{apart:.6g}" if apart == apart else "",
+            "difference": "" if math.isnan(apart) else f"{apart:.6g}",
         }
         rows.append({**keys, "paper": text, **ours, "verdict": verdict, "note": here.note})
     return pd.DataFrame(rows)
@@ -169,10 +171,4 @@ def write_table(case: TableCase, path: Path) -> None:
     frame = compare(case.number, records.read(Path(case.data), kind))
     if frame.empty:
         raise InputError(f"data={case.data}: holds no cell of Table {case.number}; use cells=paper")
-    write_csv(frame, path)
-
-
-def write_csv(frame: pd.DataFrame, path: Path) -> None:
-    """Write `frame` whole or not at all."""
-    with records.atomic(path) as temporary:
-        frame.to_csv(temporary, index=False)
+    write_frame(frame, path)

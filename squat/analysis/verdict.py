@@ -10,10 +10,10 @@ DIFFERS: Verdict = "differs"
 INCONSISTENT: Verdict = "paper inconsistent"
 
 
-def judge(printed: str, here: float, *, count: bool = False) -> Verdict:
+def judge(printed: str, here: float, *, rounds_down: bool = False) -> Verdict:
     """`match` when `here`, rounded to the digits of `printed`, equals it.
 
-    Counts (`count`) are means over steps that the paper rounds down. A dash (an empty
+    Counts are means over steps that the paper `rounds_down`. A dash (an empty
     `printed`) stands for a scheme that does not converge.
     """
     if printed in ("", "inf"):
@@ -24,7 +24,7 @@ def judge(printed: str, here: float, *, count: bool = False) -> Verdict:
     exponent = paper.as_tuple().exponent
     assert isinstance(exponent, int)
     digits = Decimal(1).scaleb(exponent)
-    rounded = Decimal(here).quantize(digits, ROUND_DOWN if count else ROUND_HALF_UP)
+    rounded = Decimal(here).quantize(digits, ROUND_DOWN if rounds_down else ROUND_HALF_UP)
     return MATCH if rounded == paper else DIFFERS
 
 

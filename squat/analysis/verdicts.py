@@ -9,7 +9,7 @@ from pydantic.dataclasses import dataclass
 
 from squat import published, records
 from squat.analysis.claims import CHECKS, Finding, Sources
-from squat.analysis.tables import write_csv
+from squat.analysis.pages import write_frame
 from squat.analysis.verdict import Verdict, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
@@ -78,7 +78,7 @@ def _verdict(paper: str, found: Finding) -> Verdict:
     if found.verdict is not None:
         return found.verdict
     assert isinstance(found.here, float)
-    return judge(paper, found.here, count=found.count)
+    return judge(paper, found.here, rounds_down=found.rounds_down)
 
 
 def write_verdicts(case: VerdictsCase, path: Path) -> None:
@@ -88,4 +88,4 @@ def write_verdicts(case: VerdictsCase, path: Path) -> None:
         records.read(Path(case.equilibria), EQUILIBRIA),
     )
     rows = [row for name in case.tables for row in table_rows(Path(name))]
-    write_csv(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)
+    write_frame(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)

@@ -27,7 +27,7 @@ def condense(error: Exception, arguments: Sequence[str]) -> str:
 
 def _typed(key: str, arguments: Sequence[str]) -> str:
     """The argument that set `key`, as it was typed."""
-    name = key.split("@")[0]
+    name = key.split("@", maxsplit=1)[0]
     for argument in arguments:
         if argument.lstrip("+~").split("=")[0] in (key, name):
             return argument.lstrip("+~")

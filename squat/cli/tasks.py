@@ -30,7 +30,7 @@ FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
 def run_task(valid: Valid, folder: Path) -> None:
     """Run the task and write its output below `folder` (unless `out` is absolute)."""
     task = valid.settings.task
-    suffix, write = FILES[task] if task in FILES else (".nc", None)
+    suffix, write = FILES.get(task, (".nc", None))
     path = folder / (valid.settings.out or f"{task}{suffix}")
     if path.suffix != suffix:
         raise InputError(f"out={path}: must end in {suffix}; task={task} writes no other")

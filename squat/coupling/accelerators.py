@@ -17,7 +17,7 @@ class Updates(Protocol):
 
 
 class _Plain:
-    def next(self, trial: Motion, answer: Motion, kinematics: Kinematics) -> Motion:  # noqa: ARG002
+    def next(self, trial: Motion, answer: Motion, kinematics: Kinematics) -> Motion:
         return answer
 
 
@@ -40,8 +40,8 @@ class _Aitken:
         residual = answer.position - trial.position
         if self.residual is not None:
             change = residual - self.residual
-            if (size := change @ change) > 0:
-                self.factor *= -(self.residual @ change) / size
+            if (size := float(change @ change)) > 0:
+                self.factor *= -float(self.residual @ change) / size
         self.residual = residual
         return kinematics.at_position(trial.position + self.factor * residual)
 

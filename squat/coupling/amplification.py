@@ -54,7 +54,7 @@ def amplification_matrix(
 ) -> Vector:
     """G of n degrees of freedom, shape (n, n); it converges when its spectral radius is < 1."""
     change = added_mass - fluid_mass - dt**2 / integrator.s3 * stiffness
-    return np.linalg.solve(mass + added_mass, change)
+    return np.asarray(np.linalg.solve(mass + added_mass, change), float)
 
 
 def smallest_added_mass(

@@ -9,7 +9,7 @@ PredictorName = Literal["hold", "linear", "quadratic"]
 Predictor = Callable[[Sequence[Motion], Kinematics], Motion]
 
 
-def hold(past: Sequence[Motion], kinematics: Kinematics) -> Motion:  # noqa: ARG001
+def hold(past: Sequence[Motion], kinematics: Kinematics) -> Motion:
     """w^0 = w^n with its velocity and acceleration (Algorithm 1, line 3)."""
     return past[0]
 

@@ -23,10 +23,9 @@ def fig10(data: xr.Dataset) -> Figure:
         ("unphysical", PURPLE, "$w_3$, below the bottom"),
     ):
         axes.plot(speed, data[name], color=color, label=label)
-    for (keys, text), label in zip(
-        published.table(7), ["Table 7, printed", *[None] * 99], strict=False
-    ):
+    for cell, (keys, text) in enumerate(published.table(7)):
         color = BLUE if keys["root"] == "stable" else RED
+        label = "" if cell else "Table 7, printed"
         axes.plot(float(keys["V_inf"]), float(text), "o", mfc="none", color=color, label=label)
     axes.plot(squat, sinkage, "k.", ms=9)
     note = f"squat speed {squat:.3f} m/s"

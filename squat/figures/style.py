@@ -1,5 +1,7 @@
 """One look for all figures."""
 
+from typing import Any
+
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -13,7 +15,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#56B4E9",
 )
 PALETTE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000")
-SETTINGS = {
+SETTINGS: Any = {
     "font.size": 10,
     "axes.grid": True,
     "grid.alpha": 0.3,

@@ -6,7 +6,6 @@ import numpy as np
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
-
 from squat.coupling import (
     PREDICTORS,
     Accelerator,
@@ -73,7 +72,7 @@ class PistonCase:
         m_add = np.array([[self.added_mass]])
         scheme = standard(mass) if self.scheme == "standard" else corrected(mass, m_add)
         return Coupling(
-            lambda motion: scheme,  # noqa: ARG005
+            lambda motion: scheme,
             INTEGRATORS[self.integrator],
             self.accelerator,
             PREDICTORS[self.predictor],

@@ -67,7 +67,7 @@ class Oscillator:
         """Piston mass as a matrix, shape (1, 1)."""
         return np.array([[self.piston_mass]])
 
-    def load(self, trial: Motion, memory: Any, dt: float) -> Load:  # noqa: ARG002
+    def load(self, trial: Motion, memory: Any, dt: float) -> Load:
         """Eq. (7): pressure force less weight."""
         return Load(-self.fluid_mass * trial.acceleration - self.stiffness * trial.position, None)
 

@@ -9,6 +9,7 @@ from joblib import Parallel, delayed
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
+from squat.coupling import SchemeName
 from squat.coupling.amplification import predicted_iterations
 from squat.dynamics import INTEGRATORS, IntegratorName
 from squat.piston.case import PistonCase
@@ -57,7 +58,7 @@ class StudyCase(PistonCase):
 def with_ratios(case: PistonCase, mass_ratio: float, added_mass_ratio: float) -> PistonCase:
     """`case` with other masses; an added mass of 0 is the standard scheme."""
     piston = replace(case.piston, mass_ratio=mass_ratio, added_mass_ratio=added_mass_ratio)
-    scheme = "corrected" if added_mass_ratio > 0 else "standard"
+    scheme: SchemeName = "corrected" if added_mass_ratio > 0 else "standard"
     return replace(case, piston=piston, scheme=scheme)
 
 

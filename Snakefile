@@ -1,0 +1,36 @@
+# The paper as a graph: `snakemake all` leaves its tables, figures and report in results/.
+#
+#   snakemake all --config results=elsewhere cases=small     the same, smaller, elsewhere
+#   snakemake --rulegraph mermaid-js                         the graph
+#
+# A rule calls the command that a person would type. Numbers live in conf/.
+import sys
+
+sys.path.insert(0, workflow.basedir)
+
+from workflows.graph import caption, configured
+
+RESULTS = config.get("results", "results")
+CASES = config.get("cases", "paper")
+
+
+wildcard_constraints:
+    number=r"\d+",
+
+
+include: "workflows/rules/piston.smk"
+include: "workflows/rules/equilibria.smk"
+include: "workflows/rules/analysis.smk"
+include: "workflows/rules/figures.smk"
+include: "workflows/rules/report.smk"
+
+
+localrules:
+    all,
+
+
+rule all:
+    default_target: True
+    input:
+        rules.contents.input,
+        rules.report.output,

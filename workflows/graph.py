@@ -1,0 +1,22 @@
+"""Helpers of the Snakefile: the same `compose()` as the command line, nothing numeric."""
+
+import json
+from pathlib import Path
+
+from squat.config import compose
+
+ROOT = Path(__file__).parents[1]
+
+
+def configured(task: str, *overrides: str) -> str:
+    """Composed configuration of a task as JSON.
+
+    Given to a rule as a parameter, it makes Snakemake run the rule again when, and only when,
+    a value that the task depends on has changed.
+    """
+    return json.dumps(compose(task, *overrides), sort_keys=True)
+
+
+def caption(name: str) -> str:
+    """Path of a caption of the report."""
+    return str(ROOT / "workflows" / "report" / f"{name}.rst")

@@ -1,0 +1,30 @@
+# Figures, as PNG and SVG; one rule a figure, so that each has its caption in the report.
+FIGURES = {
+    "fig10": rules.equilibria.output[0],
+    "iterations": rules.iterations.output[0],
+}
+
+for FIGURE, SOURCE in FIGURES.items():
+
+    rule:
+        name:
+            f"figure_{FIGURE}"
+        input:
+            SOURCE,
+        output:
+            png=report(
+                f"{RESULTS}/figures/{FIGURE}.png",
+                caption=caption(FIGURE),
+                category="Figures",
+                labels={"figure": FIGURE},
+            ),
+            svg=f"{RESULTS}/figures/{FIGURE}.svg",
+        log:
+            f"{RESULTS}/logs/{FIGURE}.log",
+        benchmark:
+            f"{RESULTS}/benchmarks/{FIGURE}.tsv"
+        params:
+            figure=FIGURE,
+        shell:
+            "squat task=figure figure={params.figure} 'data=\"{input}\"' 'out=\"{output.png}\"'"
+            " > {log:q} 2>&1"

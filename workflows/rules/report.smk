@@ -1,0 +1,31 @@
+# Everything that is not the report, and the report made of it.
+
+
+rule contents:
+    input:
+        rules.iterations.output,
+        rules.equilibria.output,
+        rules.verdicts.output,
+        expand(rules.table.output, number=TABLES),
+        expand(
+            f"{RESULTS}/figures/{{figure}}.{{suffix}}",
+            figure=FIGURES,
+            suffix=["png", "svg"],
+        ),
+
+
+rule report:
+    input:
+        rules.contents.input,
+    output:
+        f"{RESULTS}/report.html",
+    log:
+        f"{RESULTS}/logs/report.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/report.tsv"
+    params:
+        config=f"results={RESULTS} cases={CASES}",
+        snakefile=workflow.main_snakefile,
+    shell:
+        "snakemake contents --snakefile {params.snakefile:q} --config {params.config}"
+        " --nolock --report {output:q} > {log:q} 2>&1"
