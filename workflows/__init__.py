@@ -1,0 +1,1 @@
+"""Helpers of the graph; not part of the package."""

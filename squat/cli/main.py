@@ -4,14 +4,17 @@ import logging
 import os
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 import hydra
+from hydra._internal.utils import get_args_parser
 from hydra.core.hydra_config import HydraConfig
-from hydra.errors import HydraException
 from hydra.types import RunMode
 from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
+import squat
+from squat.cli.jobs import FAILED, Failures
 from squat.cli.messages import condense
 from squat.cli.tasks import run_task
 from squat.config import CONF, validate
@@ -19,44 +22,73 @@ from squat.config.compose import plain
 from squat.errors import InputError
 
 BAD_INPUT = 2
+INTERRUPTED = 130
+_ANY_TASK = "task=piston"  # Hydra composes before it prints its help, and a task is mandatory
 
 
 def main() -> None:
     """Run `squat`; exit code 0 for any result, 2 for bad input."""
-    os.environ["HYDRA_FULL_ERROR"] = "1"  # errors reach this function instead of Hydra's printer
+    os.environ["HYDRA_FULL_ERROR"] = "1"  # errors reach this function, not Hydra's printer
+    Failures.reset()
+    if sys.argv[1:] == ["--version"]:
+        print(f"squat {squat.__version__}")
+        return
     try:
+        _check_options(sys.argv[1:])
         _entry()
-    except InputError as error:
-        sys.exit(_fail(str(error)))
-    except (HydraException, OmegaConfBaseException) as error:
-        sys.exit(_fail(condense(error, sys.argv[1:])))
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+    except Exception as error:
+        if Failures.job_started:
+            raise  # a bug, not bad input: its traceback is wanted
+        _report(condense(error, sys.argv[1:]))
+        sys.exit(BAD_INPUT)
+    if Failures.found:
+        sys.exit(BAD_INPUT)
 
 
-def _fail(line: str) -> int:
-    print(f"squat: {line}", file=sys.stderr)
-    return BAD_INPUT
+def _check_options(arguments: list[str]) -> None:
+    """Refuse unknown options in one line, before argparse does in many."""
+
+    def refuse(message: str) -> NoReturn:
+        raise InputError(f"{message}; squat --help shows the usage")
+
+    parser = get_args_parser()
+    parser.error = refuse  # type: ignore[method-assign]
+    options = parser.parse_args(arguments)
+    if options.help and not any(word.startswith("task=") for word in arguments):
+        sys.argv.append(_ANY_TASK)
 
 
 @hydra.main(version_base="1.3", config_path=str(CONF), config_name="config")
 def _entry(config: DictConfig) -> None:
     job = HydraConfig.get()
+    folder = Path(job.runtime.output_dir)
     multirun = job.mode == RunMode.MULTIRUN
+    Failures.job_started = True
     try:
-        valid = validate(plain(config))
-        logging.basicConfig(
-            format="%(levelname)s %(message)s", level=valid.settings.log_level.upper(), force=True
-        )
-        run_task(valid, _folder(valid.settings.out, Path(job.runtime.output_dir), multirun))
+        _run(config, folder, multirun)
     except (InputError, OmegaConfBaseException) as error:
-        line = str(error) if isinstance(error, InputError) else condense(error, sys.argv[1:])
-        if not multirun:
-            raise InputError(line) from error
-        _fail(f"job {job.job.override_dirname or job.job.num}: {line}")
-        raise InputError("some jobs failed, named above; all others are complete") from error
+        line = condense(error, sys.argv[1:])
+        if multirun:
+            (folder / FAILED).write_text(line + "\n", encoding="utf-8")
+            line = f"{folder.name}: {line}"
+        Failures.found = True
+        _report(line)
 
 
-def _folder(out: str | None, folder: Path, multirun: bool) -> Path:
-    """Where relative outputs go: the working directory, or the job's own in a multirun."""
-    if multirun and out is not None and Path(out).is_absolute():
-        raise InputError(f"out={out}: every job would write it; give a relative path in a multirun")
-    return folder if multirun else Path()
+def _run(config: DictConfig, folder: Path, multirun: bool) -> None:
+    valid = validate(plain(config))
+    level = valid.settings.log_level.upper()
+    logging.basicConfig(format="%(levelname)s %(message)s", level=level, force=True)
+    out = valid.settings.out
+    if multirun:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / FAILED).unlink(missing_ok=True)
+        if out is not None and Path(out).is_absolute():
+            raise InputError(f"out={out}: every job would write it; give a relative path")
+    run_task(valid, folder if multirun else Path())
+
+
+def _report(line: str) -> None:
+    print(f"squat: {line}", file=sys.stderr)

@@ -3,26 +3,39 @@
 import re
 from collections.abc import Sequence
 
-_OVERRIDE = re.compile(r"Could not override '(?P<key>[^']+)'")
-_OPTION = re.compile(r"Could not find '(?P<group>.+)/(?P<option>[^/']*)'")
-_REQUIRED = re.compile(r"You must specify '(?P<group>[^']+)'")
+from hydra.errors import OverrideParseException
+
+from squat.errors import InputError
+
 _CHOICES = re.compile(r"Available options(?: in '[^']*')?:\n(?P<list>(?:\t.*\n?)+)")
+_NOISE = re.compile(r"(full_key|object_type|\^|See https|Set the environment)")
+_KNOWN = {
+    r"Could not (?:override|append|delete)[^']*'(?P<key>[^']+)'": (
+        "{typed}: unknown key; squat task=NAME --cfg job lists the keys"
+    ),
+    r"Could not find '(?P<key>.+)/(?P<option>[^/']*)'": (
+        "{key}={option}: unknown; give one of {choices}"
+    ),
+    r"You must specify '(?P<key>[^']+)'": "{key}: missing; give {key}=NAME, one of {choices}",
+    r"Missing mandatory value: (?P<key>\S+)": "{key}: missing; give {key}=VALUE",
+}
 
 
 def condense(error: Exception, arguments: Sequence[str]) -> str:
     """One line for `error`: key, value, remedy; `arguments` are the command line's."""
     text = str(error)
-    if found := _OVERRIDE.search(text):
-        key = found["key"]
-        return f"{_typed(key, arguments)}: unknown key; squat task=NAME --cfg job lists the keys"
-    if found := _OPTION.search(text):
-        return f"{found['group']}={found['option']}: unknown; give one of {_choices(text)}"
-    if found := _REQUIRED.search(text):
-        group = found["group"]
-        return f"{group}: missing; give {group}=NAME, one of {_choices(text)}"
+    if isinstance(error, InputError):
+        return " ".join(text.split())
+    if isinstance(error, OverrideParseException):
+        return f"{error.override}: cannot be read; give KEY=VALUE, VALUE in quotes if need be"
+    for pattern, line in _KNOWN.items():
+        if found := re.search(pattern, text):
+            names = found.groupdict()
+            typed = _typed(names["key"], arguments)
+            return line.format(**names, typed=typed, choices=_choices(text))
     lines = [line.strip() for line in text.splitlines() if line.strip()]
-    kept = [line for line in lines if not re.match(r"(full_key|object_type|\^|See https)", line)]
-    return "; ".join(kept) or type(error).__name__
+    kept = [line for line in lines if not _NOISE.match(line)]
+    return f"{'; '.join(kept) or type(error).__name__} (in: {' '.join(arguments)})"
 
 
 def _typed(key: str, arguments: Sequence[str]) -> str:

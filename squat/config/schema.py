@@ -103,7 +103,7 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
         return f"{path}={_short(value)}: unknown key; {hint}"
     if detail["type"] == "missing":
         return f"{path}: missing; give {path}=VALUE"
-    return f"{path}={_short(value)}: {message[0].lower()}{message[1:]}"
+    return f"{path}={_short(value)}: {message.replace('Input should', 'must')}"
 
 
 def _path(loc: tuple[int | str, ...], config: Mapping[str, Any]) -> tuple[str, list[str]]:
