@@ -19,7 +19,7 @@ def iterations(data: xr.Dataset) -> Figure:
         found = row["mean_iterations"].where(np.isfinite(row["mean_iterations"]))
         axes.loglog(data["mass_ratio"], found, "o", ms=5, color=color, label=label)
     axes.axvline(1, color="k", ls=":", lw=1)
-    axes.text(1.03, 1.02 * axes.get_ylim()[0], "$m_f = m$", va="bottom")
+    axes.text(1.05, axes.get_ylim()[0], "$m_f = m$", va="bottom")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(ScalarFormatter())
     axes.set_xlabel("mass ratio $m_f/m$ [-]")

@@ -95,7 +95,8 @@ class OneDimensionalModel:
         lower = 4 * q / 3 * np.sin(angle / 2) * np.sin(np.pi / 3 + angle / 2)
         below = -4 * q / 3 * np.sin(angle / 2) * np.sin(np.pi / 3 - angle / 2)
         below = np.where(ratio <= 1, below, self._single_root(q, ratio))
-        real = np.where(ratio <= 1, 0.0, np.nan)
+        # Far above the squat speed the pair is real again, but over the water line (u > H).
+        real = np.where((ratio <= 1) & (2 * q <= 3 * self.channel.depth), 0.0, np.nan)
         h = self.clearance
         return Roots(upper - h + real, lower - h + real, below - h)
 

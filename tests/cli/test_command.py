@@ -1,0 +1,75 @@
+"""The real command: exit codes, one line of error, multiruns, help."""
+
+import pytest
+
+from squat.records import read
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        ([], "squat: task: missing; give task=NAME, one of equilibria,"),
+        (["task=foo"], "squat: task=foo: unknown; give one of equilibria,"),
+        (["task=piston", "pistn.x=2"], "squat: pistn.x=2: unknown key;"),
+        (["task=piston", "+pistn.x=2"], "squat: pistn={'x': 2}: unknown key;"),
+        (["task=piston", "piston.mass_ratio=0"], "squat: piston.mass_ratio=0: must be greater"),
+        (["task=piston", "out=["], "squat: out=[: cannot be read;"),
+        (["task=piston", "out=a.csv"], "squat: out=a.csv: must end in .nc;"),
+        (["task=piston", "piston=null"], "squat: Config group override must be"),
+        (["task=piston", "accelerator=foo"], "squat: accelerator=foo: unknown; give one of"),
+        (["task=piston", "piston.length=${no}"], "squat: Interpolation key 'no' not found"),
+        (["task=equilibria", "hull.draft=25"], "squat: hull.draft=25: must be less than"),
+        (["task=table", "number=2", "data=no.nc"], "squat: no.nc: no such file;"),
+        (["task=table", "data=no.nc"], "squat: number: missing; give number=VALUE"),
+        (["--nonsense"], "squat: unrecognized arguments: --nonsense;"),
+    ],
+)
+def test_bad_input_is_one_line_and_exit_code_2(squat, tmp_path, arguments, line):
+    done = squat(*arguments)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.startswith(line)
+    assert done.stderr.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unwritable_output_is_one_line(squat, tmp_path):
+    (tmp_path / "file").touch()
+    done = squat("task=piston", "out=file/run.nc")
+    assert done.returncode == 2
+    assert done.stderr.startswith("squat: file/run.nc: cannot be written")
+    assert done.stderr.count("\n") == 1
+
+
+def test_divergence_is_a_result(squat, tmp_path):
+    done = squat("task=piston", "piston.mass_ratio=2", "scheme=standard", "out=deep/run.nc")
+    assert done.returncode == 0, done.stderr
+    assert read(tmp_path / "deep" / "run.nc").attrs["status"] == "diverged"
+
+
+def test_multirun_names_failed_jobs_and_keeps_the_others(squat, tmp_path):
+    done = squat("-m", "task=piston", "piston.mass_ratio=-1,0.5,2", "time.periods=0.1")
+    assert done.returncode == 2
+    assert "piston.mass_ratio=-1: must be greater than 0" in done.stderr
+    assert "Traceback" not in done.stderr
+    found = sorted(path.parent.name for path in tmp_path.glob("multirun/piston/*/piston.nc"))
+    assert found == [f"piston.mass_ratio-{ratio}__time.periods-0.1" for ratio in ("0.5", "2")]
+    again = squat("-m", "task=piston", "piston.mass_ratio=0.5,2", "time.periods=0.1")
+    assert again.returncode == 0, again.stderr
+
+
+def test_help_config_and_completion_work(squat):
+    shown = squat("--help")
+    assert shown.returncode == 0
+    assert "squat task=NAME [key=value ...]" in shown.stdout
+    config = squat("task=piston", "--cfg", "job")
+    assert "mass_ratio: 1.0" in config.stdout
+    completion = squat("-sc", "install=bash")
+    assert "hydra_bash_completion" in completion.stdout
+    assert squat("--version").stdout.startswith("squat ")
+
+
+def test_two_level_names_and_equals_signs_in_files_work_when_quoted(squat, tmp_path):
+    done = squat("task=piston", "time.periods=0.1", 'out="a=b,c~.nc"')
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "a=b,c~.nc").is_file()

@@ -1,0 +1,49 @@
+"""Bad input is one line that names key, value and remedy."""
+
+import pytest
+
+from squat.config import CASES, compose, validate
+from squat.errors import InputError
+
+
+@pytest.mark.parametrize(
+    ("overrides", "line"),
+    [
+        (["piston.mass_ratio=-1"], "piston.mass_ratio=-1: must be greater than 0"),
+        (["piston.length=2e5"], "piston.length=200000.0: must be less than or equal to 100000"),
+        (["piston.length=.inf"], "piston.length=.inf: must be a valid number"),
+        (["piston.length=inf"], "piston.length=inf: must be"),
+        (["piston.length=nan"], "piston.length=nan: must be"),
+        (["piston.mass_ratio=true"], "piston.mass_ratio=True: must be a valid number"),
+        (["piston.mass_ratio=abc"], "piston.mass_ratio=abc: must be a valid number"),
+        (["time.steps_per_period=2.5"], "time.steps_per_period=2.5: must be a valid integer"),
+        (["scheme=foo"], "scheme=foo: must be 'standard' or 'corrected'"),
+        (["+foo=1"], "foo=1: unknown key; leave it out"),
+        (["+piston.mas_ratio=1"], "piston.mas_ratio=1: unknown key; did you mean 'mass_ratio'?"),
+        (["~piston.length"], "piston.length: missing; give piston.length=VALUE"),
+        (["accelerator=aitken", "accelerator.initial=3"], "accelerator.initial=3: must be less"),
+        (["+accelerator.x=3"], "accelerator.x=3: unknown key"),
+    ],
+)
+def test_bad_value_names_key_value_and_remedy(overrides, line):
+    with pytest.raises(InputError) as caught:
+        validate(compose("piston", *overrides))
+    assert str(caught.value).startswith(line)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("task", ["piston", "iterations", "equilibria"])
+def test_every_run_task_composes_without_overrides(task):
+    valid = validate(compose(task))
+    assert isinstance(valid.case, CASES[task])
+    assert valid.config["task"] == task
+
+
+def test_a_group_that_a_task_does_not_use_is_refused():
+    with pytest.raises(Exception, match="hull"):
+        compose("piston", "hull.draft=3")
+
+
+def test_unknown_task_lists_the_known_ones():
+    with pytest.raises(InputError, match="task=nothing: unknown; give one of equilibria"):
+        validate({"task": "nothing"})

@@ -1,0 +1,149 @@
+"""The graph: completes, does nothing twice, reruns just what depends, survives a kill."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from squat.records import read
+
+ROOT = Path(__file__).parents[2]
+BIN = Path(sys.executable).parent
+PARTS = ("Snakefile", "conf", "squat", "workflows", "profiles")
+
+
+def environment(folder):
+    path = f"{BIN}:{os.environ['PATH']}"
+    return {**os.environ, "PYTHONPATH": str(folder), "PATH": path, "OMP_NUM_THREADS": "1"}
+
+
+def snakemake(folder, *arguments):
+    command = [str(BIN / "snakemake"), "--cores", "2", *arguments, "--config", "cases=small"]
+    return subprocess.run(
+        command,
+        cwd=folder,
+        env=environment(folder),
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+
+
+def copy(folder):
+    """The source tree as a clone would hold it, so that tests may change its configuration."""
+    for part in PARTS:
+        if (ROOT / part).is_dir():
+            shutil.copytree(
+                ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__")
+            )
+        else:
+            shutil.copy(ROOT / part, folder / part)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory):
+    folder = copy(tmp_path_factory.mktemp("graph"))
+    done = snakemake(folder, "all")
+    assert done.returncode == 0, done.stderr[-3000:]
+    return folder
+
+
+def test_everything_promised_is_left(tree):
+    results = tree / "results"
+    for name in ("piston/iterations.nc", "equilibria/equilibria.nc"):
+        read(results / name)
+    for name in ("table1", "table2", "table3", "table7"):
+        frame = pd.read_csv(results / "tables" / f"{name}.csv", dtype=str)
+        assert {"paper", "here", "difference", "verdict", "note"} <= set(frame.columns)
+        assert set(frame["verdict"]) <= {"match", "differs", "paper inconsistent"}
+    verdicts = pd.read_csv(results / "tables" / "verdicts.csv", dtype=str)
+    columns = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
+    assert list(verdicts.columns) == columns
+    for figure in ("fig10", "iterations"):
+        assert (results / "figures" / f"{figure}.png").read_bytes().startswith(b"\x89PNG")
+        assert "<svg" in (results / "figures" / f"{figure}.svg").read_text()
+    assert "</html>" in (results / "report.html").read_text()
+
+
+def test_report_requests_nothing_from_a_network(tree):
+    page = (tree / "results" / "report.html").read_text()
+    for tag in ("<script src=", '<link rel="stylesheet" href="http', "@import url(http"):
+        assert tag not in page
+
+
+def test_every_job_leaves_a_log_and_a_benchmark(tree):
+    logs = {path.stem for path in (tree / "results/logs").iterdir()}
+    assert logs == {path.stem for path in (tree / "results/benchmarks").iterdir()}
+    assert {"iterations", "equilibria", "table2", "fig10", "verdicts", "report"} <= logs
+
+
+def test_second_run_does_nothing(tree):
+    done = snakemake(tree, "all", "--dry-run")
+    assert "Nothing to be done" in done.stdout + done.stderr
+
+
+def test_a_changed_value_reruns_just_what_depends_on_it(tree):
+    path = tree / "conf" / "hull" / "rectangle.yaml"
+    before = path.read_text()
+    path.write_text(before.replace("40.0", "41.0"))
+    try:
+        done = snakemake(tree, "all", "--dry-run")
+    finally:
+        path.write_text(before)
+    text = done.stdout + done.stderr
+    jobs = text[text.index("Job stats") :].split("total")[0]
+    assert "equilibria" in jobs
+    assert "figure_fig10" in jobs
+    assert "iterations" not in jobs
+
+
+def test_no_rule_holds_a_physics_number():
+    for path in (ROOT / "workflows/rules").glob("*.smk"):
+        for line in path.read_text().splitlines():
+            code = line.split("#")[0]
+            assert not any(word.replace(".", "").isdigit() and "." in word for word in code.split())
+
+
+def test_lint_asks_for_nothing_but_containers():
+    done = snakemake(ROOT, "--lint")
+    points = [line.strip() for line in done.stderr.splitlines() if line.strip().startswith("* ")]
+    assert [point for point in points if "conda environment or container" not in point] == []
+
+
+def test_a_killed_run_is_completed_by_running_it_again(tmp_path):
+    folder = copy(tmp_path)
+    command = [str(BIN / "snakemake"), "all", "--cores", "2", "--config", "cases=small"]
+    process = subprocess.Popen(
+        command,
+        cwd=folder,
+        env=environment(folder),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    until = time.monotonic() + 60
+    while not (folder / "results/equilibria/equilibria.nc").exists() and time.monotonic() < until:
+        time.sleep(0.05)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    assert not (folder / "results/report.html").exists()
+    unlock = subprocess.run(
+        [sys.executable, "workflows/unlock.py"],
+        cwd=folder,
+        env=environment(folder),
+        capture_output=True,
+        check=False,
+    )
+    assert unlock.returncode == 0
+    done = snakemake(folder, "all", "--rerun-incomplete")
+    assert done.returncode == 0, done.stderr[-3000:]
+    assert (folder / "results/report.html").exists()
+    assert not list(folder.glob("results/**/.*-*.nc"))
