@@ -87,11 +87,9 @@ def test_predicted_curves_pass_through_the_measured_points(sources):
     data = sources.iterations
     finite = data["mean_iterations"] < float("inf")
     ratio = (data["predicted_iterations"] / data["mean_iterations"]).where(finite)
-    # One solve in the few that a fast scheme needs; a hundredth elsewhere.
+    # Near a reversal of the motion a step may count one off; few solves make that 1/10.
     assert float(abs(ratio - 1).where(data["mean_iterations"] > 10).max()) < 0.01
-    assert (
-        float(abs(data["predicted_iterations"] - data["mean_iterations"]).where(finite).max()) < 40
-    )
+    assert float(abs(ratio - 1).max()) < 0.1
 
 
 def test_measured_contraction_is_predicted_in_every_cell(sources):
