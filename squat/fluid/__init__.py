@@ -1,0 +1,1 @@
+"""The water's answer to the ship: potential, pressure, added mass."""
