@@ -6,9 +6,9 @@ stern, where the unknown horizontal velocity is expanded in
 
     w_j(z) = (1 - (z/d)^2)^{-1/3} C_{2j}^{1/6}(z/d),   d = H - T,
 
-functions that carry the corner's singularity r^{-1/3} exactly (Galerkin; their cosine
-transforms are Bessel functions). The sums over n converge like n^{-4/3}; two lengths are extrapolated. Some ten
-digits follow, without a mesh.
+functions that carry the corner's singularity r^{-1/3} exactly (Galerkin; their cosine transforms
+are Bessel functions). The sums over n converge like n^{-4/3}; two lengths are extrapolated. Some
+ten digits follow, without a mesh.
 
 Modes are (g0, g1, s0, s1): a velocity g0 + g1 z along x on the sides and s0 + s1 x along z on the
 keel, x from the bow, z from the bottom.
