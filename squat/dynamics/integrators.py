@@ -66,13 +66,22 @@ class Newmark:
         )
 
 
+def positions(past: Sequence[Motion], dt: float, levels: int) -> list[Vector]:
+    """Return q^n, q^{n-1}, ...: `levels` of them, continued before the start by a parabola."""
+    found = [motion.position for motion in past[:levels]]
+    oldest = past[len(found) - 1]
+    for j in range(1, levels - len(found) + 1):
+        back = j * dt
+        found.append(oldest.position - back * oldest.velocity + back**2 / 2 * oldest.acceleration)
+    return found
+
+
 class Centred:
     """Centred differences, Eq. (17); the force is taken at the new level.
 
-    w''  = (w^{n+1} - 2 w^n + w^{n-1}) / dt^2,   w' = (w^{n+1} - w^{n-1}) / (2 dt)
+    w'' = (w^{n+1} - 2 w^n + w^{n-1}) / dt^2,   w' = (w^{n+1} - w^{n-1}) / (2 dt)
 
-    Both stand at t_n while weight and buoyancy stand at t_{n+1}: first order, damped. The level
-    before the start is w^{-1} = w^0 - dt w'^0 + dt^2/2 w''^0.
+    Both stand at t_n while weight and buoyancy stand at t_{n+1}: first order, damped.
     """
 
     s1 = 0.5
@@ -81,15 +90,48 @@ class Centred:
 
     def kinematics(self, past: Sequence[Motion], dt: float) -> Kinematics:
         """See `Integrator.kinematics`."""
-        q = past[0].position
-        before = past[1].position if len(past) > 1 else self._before_start(past[0], dt)
-        a0 = (before - 2 * q) / dt**2
-        return Kinematics(-before / (2 * dt), self.s1, a0, self.s3, dt)
-
-    @staticmethod
-    def _before_start(start: Motion, dt: float) -> Vector:
-        return start.position - dt * start.velocity + dt**2 / 2 * start.acceleration
+        q0, q1 = positions(past, dt, 2)
+        return Kinematics(-q1 / (2 * dt), self.s1, (q1 - 2 * q0) / dt**2, self.s3, dt)
 
 
-IntegratorName = Literal["newmark", "centred"]
-INTEGRATORS: dict[IntegratorName, Integrator] = {"newmark": Newmark(), "centred": Centred()}
+class CentredBackward:
+    """Eq. (17) with the velocity at t_{n+1}: w' = (3 w^{n+1} - 4 w^n + w^{n-1}) / (2 dt).
+
+    The paper does not print the form of w'; with this one its scheme diverges (beta = 9/4).
+    """
+
+    s1 = 1.5
+    s3 = 1.0
+    levels = 2
+
+    def kinematics(self, past: Sequence[Motion], dt: float) -> Kinematics:
+        """See `Integrator.kinematics`."""
+        q0, q1 = positions(past, dt, 2)
+        return Kinematics((q1 - 4 * q0) / (2 * dt), self.s1, (q1 - 2 * q0) / dt**2, self.s3, dt)
+
+
+class Backward:
+    """Second-order backward differences, all at t_{n+1}.
+
+    w'  = (3 w^{n+1} - 4 w^n + w^{n-1}) / (2 dt)
+    w'' = (2 w^{n+1} - 5 w^n + 4 w^{n-1} - w^{n-2}) / dt^2
+    """
+
+    s1 = 1.5
+    s3 = 2.0
+    levels = 3
+
+    def kinematics(self, past: Sequence[Motion], dt: float) -> Kinematics:
+        """See `Integrator.kinematics`."""
+        q0, q1, q2 = positions(past, dt, 3)
+        a0 = (4 * q1 - 5 * q0 - q2) / dt**2
+        return Kinematics((q1 - 4 * q0) / (2 * dt), self.s1, a0, self.s3, dt)
+
+
+IntegratorName = Literal["newmark", "centred", "centred_backward", "backward"]
+INTEGRATORS: dict[IntegratorName, Integrator] = {
+    "newmark": Newmark(),
+    "centred": Centred(),
+    "centred_backward": CentredBackward(),
+    "backward": Backward(),
+}

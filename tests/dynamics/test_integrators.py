@@ -11,6 +11,21 @@ def motion(t):
 
 
 @pytest.mark.parametrize("name", INTEGRATORS)
+def test_ties_are_exact_for_a_parabola_from_its_start(name):
+    """q = t^2/2 with q' = t, q'' = 1: every formula here has at least that degree."""
+    dt = 0.25
+    past = (Motion(np.array([0.0]), np.array([0.0]), np.array([1.0])),)
+    for n in range(1, 5):
+        t = n * dt
+        new = INTEGRATORS[name].kinematics(past, dt).at_position(np.array([t**2 / 2]))
+        assert new.acceleration == pytest.approx(1, abs=1e-12)
+        # The centred velocity stands half a step back on each side: at t_n, not t_{n+1}.
+        at = t - dt if name == "centred" else t
+        assert new.velocity == pytest.approx(at, abs=1e-12)
+        past = (new, *past[:2])
+
+
+@pytest.mark.parametrize("name", INTEGRATORS)
 def test_position_and_acceleration_give_the_same_motion(name):
     ties = INTEGRATORS[name].kinematics((motion(0.3), motion(0.2)), 0.1)
     by_position = ties.at_position(np.array([0.42]))
