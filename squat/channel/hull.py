@@ -1,21 +1,58 @@
-"""The hull's longitudinal section."""
+"""What every hull section is: length, draft, and a wetted chain from bow to stern."""
 
+import math
+from abc import ABC, abstractmethod
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
 from pydantic.dataclasses import dataclass
 
-from squat.quantities import STRICT, Length
+from squat.channel.outline import Outline
+from squat.quantities import STRICT, Length, Vector
+
+PitchCenter = Literal["waterline", "centroid"]
+Segments = Annotated[int, Field(strict=True, ge=3, le=400)]
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
-class Hull:
-    """Rectangular section of a ship floating at rest (Fig. 8, Table 6).
+class Hull(ABC):
+    """Longitudinal section of a ship floating at rest (Fig. 8, Table 6).
+
+    Hull coordinates: x [m] from the bow at the water line towards the stern, z [m] from the
+    still water line upwards. Above the water every hull goes on with vertical walls.
 
     Parameters
     ----------
     length
-        L [m].
+        L [m], along the still water line.
     draft
         T [m], the depth of the keel below the water line.
+    pitch_center
+        Point that pitch turns about: `waterline`, mid-length on the still water line, or
+        `centroid`, that of the submerged section.
     """
 
     length: Length
     draft: Length
+    pitch_center: PitchCenter = "waterline"
+
+    @abstractmethod
+    def section(self) -> Vector:
+        """Wetted chain (n, 2) from the bow's water line point to the stern's."""
+
+    @property
+    def outline(self) -> Outline:
+        """The section as a checked polygon; raises InputError where it is none."""
+        return Outline.of(self.section(), self.draft, self.pitch_center)
+
+
+def arc(center: tuple[float, float], radius: float, start: float, end: float, n: int) -> Vector:
+    """Points (n + 1, 2) of a circular arc between two angles [rad], both ends included."""
+    angle = np.linspace(start, end, n + 1)
+    return np.asarray(center) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def half_turn(n: int) -> Vector:
+    """Angles (n + 1,) from the bow (pi) over the keel to the stern (2 pi)."""
+    return np.linspace(math.pi, 2 * math.pi, n + 1)

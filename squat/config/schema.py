@@ -113,7 +113,7 @@ def _path(loc: tuple[int | str, ...], config: Mapping[str, Any]) -> tuple[str, l
     siblings: list[str] = []
     for part in loc:
         if isinstance(here, Mapping):
-            if part not in here and part == here.get("name"):
+            if part not in here and part in (here.get("name"), here.get("shape")):
                 continue
             siblings = [str(key) for key in here if key != part]
             here = here.get(part)

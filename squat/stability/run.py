@@ -7,7 +7,7 @@ import xarray as xr
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
-from squat.channel import Channel, Hull
+from squat.channel import AnyHull, Channel
 from squat.quantities import STRICT, Count, NonNegative, Speed
 from squat.records import build
 from squat.records.kinds import EQUILIBRIA
@@ -45,7 +45,7 @@ class EquilibriaCase:
         m_add/m of heave, for the linear period only.
     """
 
-    hull: Hull
+    hull: AnyHull
     channel: Channel
     water: Water
     speeds: Speeds
@@ -57,7 +57,7 @@ def run(case: EquilibriaCase) -> xr.Dataset:
     model = OneDimensionalModel(case.hull, case.channel, case.water)
     speed = np.linspace(case.speeds.least, case.speeds.greatest, case.speeds.points)
     roots, cases = model.roots(speed), model.roots(case.speeds.cases)
-    mass = case.water.density * case.hull.length * case.hull.draft
+    mass = case.water.density * case.hull.outline.area
     fold = model.squat_speed()
     data = {
         "speed": speed,

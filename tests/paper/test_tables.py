@@ -68,12 +68,12 @@ def test_table_7_differs_in_one_cell_by_the_papers_hundredth(sources):
 
 def test_no_tolerance_makes_the_odd_cell_of_table_7_match(sources):
     """The force of (27) at the printed root is not within rounding of zero: the cell is off."""
-    from squat.channel import Channel, Hull
+    from squat.channel import Channel, Rectangle
     from squat.stability.equilibria import OneDimensionalModel
     from squat.water import Water
 
     model = OneDimensionalModel(
-        Hull(length=40.0, draft=10.0),
+        Rectangle(length=40.0, draft=10.0),
         Channel(depth=20.0, upstream=40.0, downstream=60.0),
         Water(density=1000.0, gravity=9.81),
     )

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from squat.channel import Channel, Hull
+from squat.channel import Channel, Rectangle
 from squat.errors import InputError
 from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.run import run
@@ -15,7 +15,7 @@ WATER = Water(density=1000.0, gravity=9.81)
 
 
 def model(depth=20.0, draft=10.0, length=40.0):
-    hull = Hull(length=length, draft=draft)
+    hull = Rectangle(length=length, draft=draft)
     return OneDimensionalModel(hull, Channel(depth=depth, upstream=1.0, downstream=1.0), WATER)
 
 

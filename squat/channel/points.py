@@ -1,0 +1,116 @@
+"""Hull sections given by points, straight or smooth."""
+
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+from scipy.interpolate import CubicSpline
+from shapely.geometry import LineString, Polygon as Area, box
+
+from squat.channel.hull import Hull, Segments
+from squat.errors import InputError
+from squat.quantities import STRICT, Length, Position, Vector
+
+Points = Annotated[tuple[tuple[Position, Position], ...], Field(min_length=3)]
+_WIDE = 1e7
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class _Given(Hull):
+    """A section given by points (x, z), z upwards from the still water line, bow first.
+
+    What lies below the water is stretched to `length` at the water line and to `draft`, so that
+    every hull can be resized by the same two numbers.
+
+    Parameters
+    ----------
+    wall
+        Height [m] of the vertical sides below the still water line: what the points say above it
+        is replaced by walls from there on (they stay as they are where they are vertical already).
+    """
+
+    points: Points
+    wall: Length
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        if self.wall >= self.draft:
+            raise InputError(
+                f"hull.wall={self.wall:g}: must be less than hull.draft={self.draft:g}"
+            )
+        area = self._simple(self.curve())
+        depth = -area.bounds[1]
+        if depth <= 0:
+            raise InputError("hull.points: none lies below the water line z=0; lower them")
+        foot = -self.wall / self.draft * depth
+        lower = self._cut(area, foot)
+        top = np.array([(lower[0, 0], 0.0), (lower[-1, 0], 0.0)])
+        chain = np.concatenate([top[:1], lower, top[1:]])
+        stretch = self.length / (chain[-1, 0] - chain[0, 0]), self.draft / depth
+        return np.asarray((chain - np.array([chain[0, 0], 0.0])) * np.array(stretch))
+
+    def curve(self) -> Vector:
+        """Vertices of the closed section, shape (n, 2)."""
+        raise NotImplementedError
+
+    @staticmethod
+    def _simple(points: Vector) -> Area:
+        area = Area(points)
+        if not area.is_valid or area.area == 0:
+            raise InputError("hull.points: the outline crosses itself; reorder the points")
+        return area
+
+    @staticmethod
+    def _cut(area: Area, foot: float) -> Vector:
+        """Chain of `area` below z = foot, from bow to stern."""
+        below = area.intersection(box(-_WIDE, -_WIDE, _WIDE, foot))
+        top = below.intersection(LineString([(-_WIDE, foot), (_WIDE, foot)]))
+        if not isinstance(below, Area) or not isinstance(top, LineString) or top.length == 0:
+            raise InputError(
+                "hull.points: the section meets the foot of its walls more than once; "
+                "give one body, or another hull.wall"
+            )
+        ring = np.array(below.exterior.coords)[:-1]
+        if not below.exterior.is_ccw:
+            ring = ring[::-1]
+        left, right = top.bounds[0], top.bounds[2]
+        start = int(np.argmin(np.hypot(ring[:, 0] - left, ring[:, 1] - foot)))
+        ring = np.roll(ring, -start, axis=0)
+        end = int(np.argmin(np.hypot(ring[:, 0] - right, ring[:, 1] - foot)))
+        return ring[: end + 1]
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Polygon(_Given):
+    """Any simple polygon: its corners, an open chain from water line to water line or closed."""
+
+    shape: Literal["polygon"] = "polygon"
+
+    def curve(self) -> Vector:
+        """See `_Given.curve`."""
+        return np.array(self.points, float)
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Curve(_Given):
+    """Any smooth closed curve: the periodic cubic spline through the points.
+
+    Parameters
+    ----------
+    segments
+        Chords of the whole closed curve.
+    """
+
+    shape: Literal["curve"] = "curve"
+    segments: Segments
+
+    def curve(self) -> Vector:
+        """See `_Given.curve`."""
+        closed = np.array([*self.points, self.points[0]], float)
+        chords = np.linalg.norm(np.diff(closed, axis=0), axis=1)
+        if np.any(chords == 0):
+            raise InputError("hull.points: two neighbours coincide; leave one out")
+        length = np.concatenate([[0], np.cumsum(chords)])
+        spline = CubicSpline(length, closed, bc_type="periodic")
+        return np.asarray(spline(np.linspace(0, length[-1], self.segments, endpoint=False)))

@@ -1,0 +1,164 @@
+"""Ready-made hull sections: one class a shape, chosen by `hull=<shape>`."""
+
+import math
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+
+from squat.channel.hull import Hull, Segments, arc, half_turn
+from squat.errors import InputError
+from squat.quantities import STRICT, Length, Vector
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Rectangle(Hull):
+    """The paper's box (Fig. 8)."""
+
+    shape: Literal["rectangle"] = "rectangle"
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        L, T = self.length, self.draft
+        return np.array([(0, 0), (0, -T), (L, -T), (L, 0)], float)
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class WalledHull(Hull):
+    """A section below vertical walls.
+
+    Parameters
+    ----------
+    wall
+        Height [m] of the vertical sides between the still water line and the sloped or curved
+        part; it bounds upward motion and cannot be zero, since the walls immerse as the ship sinks.
+    """
+
+    wall: Length
+
+    def __post_init__(self) -> None:
+        if self.wall >= self.draft:
+            raise InputError(
+                f"hull.wall={self.wall:g}: must be less than hull.draft={self.draft:g}"
+            )
+
+    @property
+    def depth(self) -> float:
+        """Height [m] of the part below the walls."""
+        return self.draft - self.wall
+
+    def below(self, lower: Vector) -> Vector:
+        """The chain of `lower`, given from the foot of one wall to that of the other."""
+        return np.concatenate([[(0.0, 0.0)], lower - [0, self.wall], [(self.length, 0.0)]])
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class HalfEllipse(WalledHull):
+    """x = L/2 (1 + cos t), z = -wall + (T - wall) sin t; `segments` chords."""
+
+    shape: Literal["half_ellipse"] = "half_ellipse"
+    segments: Segments
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        t = half_turn(self.segments)
+        ellipse = [self.length / 2 * (1 + np.cos(t)), self.depth * np.sin(t)]
+        return self.below(np.stack(ellipse, axis=1))
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Vee(WalledHull):
+    """Two straight lines that meet at the keel, amidships."""
+
+    shape: Literal["v"] = "v"
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        keel = (self.length / 2, -self.depth)
+        return self.below(np.array([(0, 0), keel, (self.length, 0)], float))
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class ChamferedBox(Hull):
+    """Rectangle with corners cut at 45 degrees; `chamfer` [m] is the cut's height and width."""
+
+    shape: Literal["chamfered_box"] = "chamfered_box"
+    chamfer: Length
+
+    def __post_init__(self) -> None:
+        _fits("chamfer", self.chamfer, self)
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        L, T, c = self.length, self.draft, self.chamfer
+        return np.array([(0, 0), (0, c - T), (c, -T), (L - c, -T), (L, c - T), (L, 0)], float)
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class RoundedBox(Hull):
+    """Rectangle with corners of `radius` [m], each of `segments` chords."""
+
+    shape: Literal["rounded_box"] = "rounded_box"
+    radius: Length
+    segments: Segments
+
+    def __post_init__(self) -> None:
+        _fits("radius", self.radius, self)
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        L, T, r, n = self.length, self.draft, self.radius, self.segments
+        bow = arc((r, r - T), r, math.pi, 1.5 * math.pi, n)
+        stern = arc((L - r, r - T), r, 1.5 * math.pi, 2 * math.pi, n)
+        return np.concatenate([[(0.0, 0.0)], bow, stern, [(L, 0.0)]])
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Lewis(WalledHull):
+    """Lewis form: the image of the unit circle under M (e^(i t) + a1 e^(-i t) + a3 e^(-3 i t)).
+
+    x = M ((1 + a1) sin t - a3 sin 3t), depth = M ((1 - a1) cos t + a3 cos 3t), with a1, a3, M from
+    length, depth below the walls and area coefficient (Lewis 1929; von Kerczek and Tuck 1969).
+
+    Parameters
+    ----------
+    area_coefficient
+        Area below the walls over that of its bounding box.
+    segments
+        Chords of the polygon.
+    """
+
+    shape: Literal["lewis"] = "lewis"
+    area_coefficient: Annotated[float, Field(strict=True, gt=0.3, lt=1)]
+    segments: Segments
+
+    def section(self) -> Vector:
+        """See `Hull.section`."""
+        a1, a3 = self.coefficients()
+        M = self.length / 2 / (1 + a1 + a3)
+        t = half_turn(self.segments) - 1.5 * math.pi  # 0 at the keel
+        x = M * ((1 + a1) * np.sin(t) - a3 * np.sin(3 * t))
+        depth = M * ((1 - a1) * np.cos(t) + a3 * np.cos(3 * t))
+        return self.below(np.stack([x + self.length / 2, -depth], axis=1))
+
+    def coefficients(self) -> tuple[float, float]:
+        """a1 and a3; raises InputError where no Lewis form has the area coefficient."""
+        ratio, fill = self.length / 2 / self.depth, 4 * self.area_coefficient / math.pi
+        skew = (ratio - 1) / (ratio + 1)
+        c = 3 + fill + (1 - fill) * skew**2
+        if 2 * c > 9:
+            raise InputError(
+                f"hull.area_coefficient={self.area_coefficient:g}: no Lewis form is that full; "
+                "give a smaller one"
+            )
+        a3 = (3 - c + math.sqrt(9 - 2 * c)) / c
+        return skew * (1 + a3), a3
+
+
+def _fits(key: str, size: float, hull: Hull) -> None:
+    limit = min(hull.draft, hull.length / 2)
+    if size >= limit:
+        raise InputError(
+            f"hull.{key}={size:g}: must be less than draft and half the length, {limit:g}"
+        )

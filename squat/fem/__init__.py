@@ -1,0 +1,16 @@
+"""Finite elements: stiffness in affine form, loads of rigid motion, solves with a residual."""
+
+from squat.fem.affine import AffineStiffness
+from squat.fem.loads import HullLoads, flux
+from squat.fem.solve import Factorised, Solution, SolveError
+from squat.fem.space import Space
+
+__all__ = [
+    "AffineStiffness",
+    "Factorised",
+    "HullLoads",
+    "Solution",
+    "SolveError",
+    "Space",
+    "flux",
+]

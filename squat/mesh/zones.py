@@ -1,0 +1,223 @@
+"""Coarse triangulation of a channel around a hull: the zones of the moving submesh.
+
+Two vertical fences, one ahead of the bow and one behind the stern, bound the part that moves.
+Below the hull every corner of its convex hull has a point of the bottom under it that follows
+along the bottom, so that the strips between stay trapezoids for any position clear of the bottom.
+Steep parts of bow and stern fan out to a point of the water line that follows the wall's foot, over
+a helper that moves with the hull where they have several edges. Pockets of a hull that is not convex are triangles of hull points alone:
+they move rigidly. Outside of the fences nothing moves.
+"""
+
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+
+from squat.channel import Channel, Outline
+from squat.errors import InputError
+from squat.mesh.convex import convex_hull, cross, triangulate
+from squat.mesh.motion import BED, FIXED, RIGID, WATERLINE, Anchors
+from squat.quantities import Vector
+
+_STEEP = 1.0 + 1e-9
+"""Slope of a hull edge beyond which it belongs to bow or stern and not to the keel."""
+_FENCE = 2.0
+"""Distance between hull and fence over H, where the channel is that long."""
+
+_ASIDE, _APART, _OPEN = 1.2, 0.35, 0.4
+"""Distance between hull and the water line's follower: over the depth of the steep part, over H,
+and at most over that to the fence."""
+
+
+@dataclass(eq=False)
+class Zones:
+    """The triangulation while it is being built.
+
+    `chain`: hull points F_bow ... F_stern; `keel`: corners of the convex hull above the bottom's
+    followers, by chain index; `bed`: for each of them its point of the bottom.
+    """
+
+    points: list[tuple[float, float]] = field(default_factory=list)
+    role: list[int] = field(default_factory=list)
+    partner: list[int] = field(default_factory=list)
+    slope: list[float] = field(default_factory=list)
+    triangles: list[tuple[int, int, int]] = field(default_factory=list)
+    hull: list[int] = field(default_factory=list)
+    keel: list[int] = field(default_factory=list)
+    corners: list[int] = field(default_factory=list)
+    reach: float = 0.0
+
+    def add(self, point: Vector, role: int = FIXED, partner: int = 0, slope: float = 0.0) -> int:
+        """Index of a new vertex."""
+        self.points.append((float(point[0]), float(point[1])))
+        self.role.append(role)
+        self.partner.append(partner)
+        self.slope.append(slope)
+        return len(self.points) - 1
+
+    @property
+    def rest(self) -> Vector:
+        """Vertices (nc, 2) [m]."""
+        return np.array(self.points)
+
+    @property
+    def anchors(self) -> Anchors:
+        """How each vertex moves."""
+        return Anchors(np.array(self.role), np.array(self.partner), np.array(self.slope))
+
+
+def coarse(outline: Outline, channel: Channel) -> Zones:
+    """Zones of `channel` around `outline`; raises InputError where they do not fit."""
+    zones = Zones()
+    level = channel.depth
+    vertices = outline.vertices + np.array([0.0, level])
+    zones.hull = [zones.add(p, RIGID) for p in vertices[1:-1]]
+    outer = _outer(vertices[1:-1])
+    for a, b in pairwise(outer):
+        if b - a > 1:
+            zones.triangles += triangulate(zones.rest, zones.hull[b : a - 1 if a else None : -1])
+    first, last = _keel(vertices[1:-1], outer)
+    zones.keel = outer[first : last + 1]
+    bed = channel.bed(outline.length)
+    under = _below_keel(zones, channel, bed)
+    for side, end in ((-1, outer[: first + 1]), (1, outer[last:])):
+        foot = end[0] if side < 0 else end[-1]
+        water = zones.add((vertices[0] if side < 0 else vertices[-1]), WATERLINE, foot)
+        _end(zones, side, end, water, under[0 if side < 0 else -1], bed, level)
+    _check(zones)
+    return zones
+
+
+def _outer(chain: Vector) -> list[int]:
+    """Corners of the convex hull of the hull points from bow foot to stern foot."""
+    ring = convex_hull(chain)
+    last = len(chain) - 1
+    if 0 not in ring or last not in ring:
+        raise InputError("hull: rises above the feet of its vertical sides; raise hull.wall")
+    start = ring.index(0)
+    ring = ring[start:] + ring[:start]
+    return ring[: ring.index(last) + 1]
+
+
+def _keel(chain: Vector, outer: list[int]) -> tuple[int, int]:
+    """Positions in `outer` of the first and last corner between which no edge is steep."""
+    edges = np.diff(chain[outer], axis=0)
+    flat = np.flatnonzero((edges[:, 0] > 0) & (np.abs(edges[:, 1]) <= _STEEP * edges[:, 0]))
+    if len(flat) == 0:
+        lowest = int(np.argmin(chain[outer, 1]))
+        return lowest, lowest
+    return int(flat[0]), int(flat[-1]) + 1
+
+
+def _below_keel(zones: Zones, channel: Channel, bed: Vector) -> list[int]:
+    """Add the bottom under the keel and the strips between; its followers."""
+    below = []
+    for hull in zones.keel:
+        x = zones.points[hull][0]
+        segment = int(np.clip(np.searchsorted(bed[:, 0], x, "right") - 1, 0, len(bed) - 2))
+        slope = float(
+            np.diff(bed[segment : segment + 2, 1])[0] / np.diff(bed[segment : segment + 2, 0])[0]
+        )
+        z = float(channel.floor(np.array(x)))
+        below.append(zones.add(np.array([x, z]), BED, hull, slope))
+    for i in range(len(below) - 1):
+        x0, x1 = zones.points[below[i]][0], zones.points[below[i + 1]][0]
+        inner = [zones.add(p) for p in bed[1:-1] if x0 < p[0] < x1]
+        zones.corners += inner
+        floor = [below[i], *inner, below[i + 1]]
+        zones.triangles += _strip(zones.rest, zones.keel[i], zones.keel[i + 1], floor)
+    return below
+
+
+def _strip(points: Vector, left: int, right: int, floor: list[int]) -> list[tuple[int, int, int]]:
+    """Triangles between a hull edge and the bottom below it: the split of best quality."""
+    options = []
+    for split in range(len(floor)):
+        triangles = [(floor[j], floor[j + 1], left) for j in range(split)]
+        triangles += [(floor[split], right, left)]
+        triangles += [(floor[j], floor[j + 1], right) for j in range(split, len(floor) - 1)]
+        options.append(triangles)
+    return max(
+        options, key=lambda t: float(cross(*(points[list(i)] for i in zip(*t, strict=True))).min())
+    )
+
+
+def _end(
+    zones: Zones, side: int, end: list[int], water: int, under: int, bed: Vector, level: float
+) -> None:
+    """Triangles between bow (side -1) or stern (+1) and its fence, and the fixed part beyond."""
+    steep = end if side < 0 else end[::-1]  # from the foot of the wall to the keel
+    outermost = side * max(side * zones.points[i][0] for i in steep)
+    limit = bed[0 if side < 0 else -1, 0]
+    x = outermost + side * min(_FENCE * level, side * (limit - outermost))
+    corners = [p for p in bed[1:-1] if side * (p[0] - zones.points[under][0]) > 0]
+    close = [p for p in corners if side * (x - p[0]) > 0 and side * (p[0] - outermost) > level / 2]
+    if close:
+        x = min(close, key=lambda p: side * p[0])[0]
+    top = zones.add(np.array([x, level]))
+    foot = zones.add(np.array([x, np.interp(x, bed[:, 0], bed[:, 1])]))
+    between = sorted(
+        (tuple(p) for p in corners if side * (x - p[0]) > 0), key=lambda p: side * p[0]
+    )
+    floor = [under, *(zones.add(np.array(p)) for p in between), foot]
+    zones.corners += floor[1:-1]
+    keel = steep[-1]
+    fan = [(floor[j], keel, floor[j + 1]) for j in range(len(floor) - 1)]
+    near = _surface(zones, steep, outermost, x, level)
+    hub = _helper(zones, side, steep)
+    if hub is None:
+        path = [foot, keel, *steep[-2::-1], water]
+        fan += [(path[j], path[j + 1], near) for j in range(len(path) - 1)]
+    else:
+        path = [*steep[::-1], water]
+        fan += [(path[j], path[j + 1], hub) for j in range(len(path) - 1)]
+        fan += [(foot, keel, hub), (foot, hub, near), (hub, water, near)]
+    fan += [(foot, near, top)]
+    zones.triangles += fan if side < 0 else [(a, c, b) for a, b, c in fan]
+    _beyond(zones, side, x, (top, foot), bed, level)
+    zones.reach = min(zones.reach or np.inf, abs(x - outermost))
+
+
+def _surface(zones: Zones, steep: list[int], outermost: float, fence: float, level: float) -> int:
+    """A point of the water line that keeps its distance from the wall's foot."""
+    depth = level - zones.points[steep[-1]][1]
+    part = min(_OPEN * abs(fence - outermost), max(_ASIDE * depth, _APART * level))
+    x = outermost + np.sign(fence - outermost) * part
+    return zones.add(np.array([x, level]), BED, steep[0])
+
+
+def _helper(zones: Zones, side: int, steep: list[int]) -> int | None:
+    """A point that moves with the hull and sees all of a steep end of two edges or more."""
+    if len(steep) < 3:
+        return None
+    points = zones.rest[steep]
+    height = float(np.ptp(points[:, 1]))
+    x = side * (side * points[:, 0]).max() + side * height
+    hub = np.array([x, (points[:, 1].min() + points[:, 1].max()) / 2])
+    seen = cross(points[1:], points[:-1], hub) * -side
+    return zones.add(hub, RIGID) if np.all(seen > 0) else None
+
+
+def _beyond(
+    zones: Zones, side: int, x: float, fence: tuple[int, int], bed: Vector, level: float
+) -> None:
+    """The part of the channel outside of the fence, which stands still."""
+    limit = bed[0 if side < 0 else -1]
+    if x == limit[0]:
+        return
+    top, foot = fence
+    outside = sorted(
+        (tuple(p) for p in bed[1:-1] if side * (p[0] - x) > 0), key=lambda p: side * p[0]
+    )
+    ring = [top, foot, *(zones.add(np.array(p)) for p in outside)]
+    ring += [zones.add(limit), zones.add(np.array([limit[0], level]))]
+    zones.triangles += triangulate(zones.rest, ring)
+
+
+def _check(zones: Zones) -> None:
+    areas = cross(*(zones.rest[list(i)] for i in zip(*zones.triangles, strict=True)))
+    if areas.min() <= 0:
+        raise InputError(
+            "channel.bottom: too rough for a moving submesh around this hull; "
+            "move its points away from bow and stern"
+        )
