@@ -1,6 +1,7 @@
 """The wetted section as a polygon: what mesh, hydrostatics and motion need of any hull."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -86,7 +87,7 @@ def _upright(chain: Vector, size: float) -> Vector:
 def _without_idle(chain: Vector, size: float) -> Vector:
     """`chain` without points that coincide with, or lie in line between, their neighbours."""
     kept = [chain[0]]
-    for here, after in zip(chain[1:-1], chain[2:], strict=True):
+    for here, after in pairwise(chain[1:]):
         a, b = here - kept[-1], after - here
         if abs(a[0] * b[1] - a[1] * b[0]) > _TINY * size * np.linalg.norm(b) and a @ a > 0:
             kept.append(here)

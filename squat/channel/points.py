@@ -6,7 +6,8 @@ import numpy as np
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 from scipy.interpolate import CubicSpline
-from shapely.geometry import LineString, Polygon as Area, box
+from shapely.geometry import LineString, box
+from shapely.geometry import Polygon as Area
 
 from squat.channel.hull import Hull, Segments
 from squat.errors import InputError

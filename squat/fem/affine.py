@@ -39,7 +39,7 @@ class AffineStiffness:
         """The pattern (csc), and the matrix (nnz, entries nz) from theta to its data."""
         basis, zone = self.space.basis, self.mesh.zone
         dofs = basis.element_dofs.T
-        m, n = dofs.shape
+        n = dofs.shape[1]
         rows = np.repeat(dofs, n, axis=1).ravel()
         columns = np.tile(dofs, (1, n)).ravel()
         key, place = np.unique(columns.astype(np.int64) * basis.N + rows, return_inverse=True)

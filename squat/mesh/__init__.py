@@ -22,6 +22,6 @@ __all__ = [
     "Submesh",
     "quality",
     "smallest_angle",
-    "submesh",
     "subdivided",
+    "submesh",
 ]

@@ -76,7 +76,7 @@ class Limits:
             raise PositionError(f"pitch={pitch:g}: must be within {PITCH:.6g} rad (5 degrees)")
         if clearance < CLEARANCE * self.clearance * (1 - 1e-12):
             raise GroundedError(
-                f"heave={heave:g} pitch={pitch:g}: grounded, under-keel clearance {clearance:.4g} m "
+                f"heave={heave:g} pitch={pitch:g}: grounded, clearance {clearance:.4g} m "
                 f"is less than {CLEARANCE:g} of {self.clearance:g} m at rest"
             )
         if heave > self.draft / 2 * (1 + 1e-12):

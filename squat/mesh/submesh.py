@@ -135,7 +135,7 @@ def submesh(hull: Hull, channel: Channel, modes: tuple[str, ...] = MODES) -> Sub
     outline = hull.outline
     zones = coarse(outline, channel)
     bed = channel.bed(outline.length)
-    center = outline.center + [0, channel.depth]
+    center = outline.center + np.array([0.0, channel.depth])
     motion = RigidMotion(zones.rest, zones.anchors, center, channel.depth)
     return Submesh(
         np.array(zones.triangles),

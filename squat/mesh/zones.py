@@ -3,9 +3,10 @@
 Two vertical fences, one ahead of the bow and one behind the stern, bound the part that moves.
 Below the hull every corner of its convex hull has a point of the bottom under it that follows
 along the bottom, so that the strips between stay trapezoids for any position clear of the bottom.
-Steep parts of bow and stern fan out to a point of the water line that follows the wall's foot, over
-a helper that moves with the hull where they have several edges. Pockets of a hull that is not convex are triangles of hull points alone:
-they move rigidly. Outside of the fences nothing moves.
+Steep parts of bow and stern fan out to a point of the water line that follows the wall's foot,
+over a helper that moves with the hull where they have several edges. Pockets of a hull that is
+not convex are triangles of hull points alone: they move rigidly. Outside of the fences nothing
+moves.
 """
 
 from dataclasses import dataclass, field
@@ -17,6 +18,7 @@ from squat.channel import Channel, Outline
 from squat.errors import InputError
 from squat.mesh.convex import convex_hull, cross, triangulate
 from squat.mesh.motion import BED, FIXED, RIGID, WATERLINE, Anchors
+from squat.mesh.strips import followed, strip
 from squat.quantities import Vector
 
 _STEEP = 1.0 + 1e-9
@@ -44,7 +46,6 @@ class Zones:
     triangles: list[tuple[int, int, int]] = field(default_factory=list)
     hull: list[int] = field(default_factory=list)
     keel: list[int] = field(default_factory=list)
-    corners: list[int] = field(default_factory=list)
     reach: float = 0.0
 
     def add(self, point: Vector, role: int = FIXED, partner: int = 0, slope: float = 0.0) -> int:
@@ -110,36 +111,24 @@ def _keel(chain: Vector, outer: list[int]) -> tuple[int, int]:
 
 
 def _below_keel(zones: Zones, channel: Channel, bed: Vector) -> list[int]:
-    """Add the bottom under the keel and the strips between; its followers."""
-    below = []
-    for hull in zones.keel:
-        x = zones.points[hull][0]
-        segment = int(np.clip(np.searchsorted(bed[:, 0], x, "right") - 1, 0, len(bed) - 2))
-        slope = float(
-            np.diff(bed[segment : segment + 2, 1])[0] / np.diff(bed[segment : segment + 2, 0])[0]
-        )
-        z = float(channel.floor(np.array(x)))
-        below.append(zones.add(np.array([x, z]), BED, hull, slope))
-    for i in range(len(below) - 1):
-        x0, x1 = zones.points[below[i]][0], zones.points[below[i + 1]][0]
-        inner = [zones.add(p) for p in bed[1:-1] if x0 < p[0] < x1]
-        zones.corners += inner
-        floor = [below[i], *inner, below[i + 1]]
-        zones.triangles += _strip(zones.rest, zones.keel[i], zones.keel[i + 1], floor)
-    return below
+    """Add the bottom under the keel and the strips between; its first and last point."""
+    points = zones.rest[zones.keel]
+    corners = bed[1:-1]
+    chosen = followed(points[:, 0], corners[:, 0], float(channel.depth - points[:, 1].min()))
+    below = [_follower(zones, channel, bed, zones.keel[i]) for i in chosen]
+    for (i, start), (j, end) in pairwise(zip(chosen, below, strict=True)):
+        x0, x1 = points[[i, j], 0]
+        inner = [zones.add(p) for p in corners if x0 < p[0] < x1]
+        zones.triangles += strip(zones.rest, zones.keel[i : j + 1], [start, *inner, end])
+    return [below[0], below[-1]]
 
 
-def _strip(points: Vector, left: int, right: int, floor: list[int]) -> list[tuple[int, int, int]]:
-    """Triangles between a hull edge and the bottom below it: the split of best quality."""
-    options = []
-    for split in range(len(floor)):
-        triangles = [(floor[j], floor[j + 1], left) for j in range(split)]
-        triangles += [(floor[split], right, left)]
-        triangles += [(floor[j], floor[j + 1], right) for j in range(split, len(floor) - 1)]
-        options.append(triangles)
-    return max(
-        options, key=lambda t: float(cross(*(points[list(i)] for i in zip(*t, strict=True))).min())
-    )
+def _follower(zones: Zones, channel: Channel, bed: Vector, hull: int) -> int:
+    """Point of the bottom below a hull point, which follows it along the bottom."""
+    x = zones.points[hull][0]
+    segment = int(np.clip(np.searchsorted(bed[:, 0], x, "right") - 1, 0, len(bed) - 2))
+    dx, dz = bed[segment + 1] - bed[segment]
+    return zones.add(np.array([x, float(channel.floor(np.array(x)))]), BED, hull, float(dz / dx))
 
 
 def _end(
@@ -160,7 +149,6 @@ def _end(
         (tuple(p) for p in corners if side * (x - p[0]) > 0), key=lambda p: side * p[0]
     )
     floor = [under, *(zones.add(np.array(p)) for p in between), foot]
-    zones.corners += floor[1:-1]
     keel = steep[-1]
     fan = [(floor[j], keel, floor[j + 1]) for j in range(len(floor) - 1)]
     near = _surface(zones, steep, outermost, x, level)
