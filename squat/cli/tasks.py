@@ -15,10 +15,19 @@ from squat.stability import run as equilibria
 
 _log = logging.getLogger(__name__)
 
+
+def _mesh(case: Any) -> xr.Dataset:
+    # gmsh takes as long to import as all the rest, and needs graphics libraries.
+    from squat.mesh.run import run  # noqa: PLC0415
+
+    return run(case)
+
+
 DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "piston": piston.run,
     "iterations": piston.study,
     "equilibria": equilibria.run,
+    "mesh": _mesh,
 }
 FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
     "table": (".csv", analysis.write_table),

@@ -12,6 +12,7 @@ from pydantic_core import ErrorDetails
 from squat.analysis import TableCase, VerdictsCase
 from squat.errors import InputError
 from squat.figures import FigureCase
+from squat.mesh.case import MeshCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
 from squat.stability.run import EquilibriaCase
@@ -20,6 +21,7 @@ CASES: dict[str, type] = {
     "piston": PistonCase,
     "iterations": StudyCase,
     "equilibria": EquilibriaCase,
+    "mesh": MeshCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

@@ -10,16 +10,23 @@ from matplotlib.figure import Figure
 from pydantic.dataclasses import dataclass
 
 from squat import records
+from squat.figures.domain import fig3, fig8
 from squat.figures.equilibria import fig10
 from squat.figures.iterations import iterations
+from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.style import SETTINGS
 from squat.quantities import STRICT
-from squat.records.kinds import EQUILIBRIA, ITERATIONS
+from squat.records.kinds import EQUILIBRIA, ITERATIONS, MESH
 from squat.records.schema import Kind
 
 FIGURES: dict[str, tuple[Kind, Callable[[xr.Dataset], Figure]]] = {
     "fig10": (EQUILIBRIA, fig10),
     "iterations": (ITERATIONS, iterations),
+    "fig3": (MESH, fig3),
+    "fig5": (MESH, fig5),
+    "fig6": (MESH, fig6),
+    "fig8": (MESH, fig8),
+    "mesh_quality": (MESH, mesh_quality),
 }
 
 
@@ -30,12 +37,13 @@ class FigureCase:
     Parameters
     ----------
     figure
-        Name: `fig10`, or `iterations` (against mass ratio).
+        Name: `fig3`, `fig5`, `fig6`, `fig8`, `fig10`, `mesh_quality`, or `iterations` (against
+        mass ratio).
     data
         Path of the dataset.
     """
 
-    figure: Literal["fig10", "iterations"]
+    figure: Literal["fig10", "iterations", "fig3", "fig5", "fig6", "fig8", "mesh_quality"]
     data: str
 
 

@@ -1,0 +1,109 @@
+"""Figures 3 and 8: the domain with its boundaries, and its dimensions, from the mesh itself."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.tri import Triangulation
+
+from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, single
+from squat.quantities import Vector
+
+COLORS = {"In": BLUE, "Out": GREEN, "Botm": ORANGE, "FreeS": SKY, "Ship": RED}
+
+
+def edges(data: xr.Dataset, name: str) -> tuple[Vector, Vector]:
+    """x and z of a boundary's edges, each of shape (2, k)."""
+    index = data["boundary"].values.tolist().index(name)
+    nodes = data["edge_node"].values[data["edge_boundary"].values == index]
+    return data["node_x"].values[nodes].T, data["node_z"].values[nodes].T
+
+
+def scene(axes: Axes, data: xr.Dataset) -> None:
+    """The boundaries in their colours, equal scales, room around."""
+    for name, color in COLORS.items():
+        x, z = edges(data, name)
+        axes.plot(x, z, color=color, lw=3, solid_capstyle="round")
+    span, height = np.ptp(data["node_x"].values), np.ptp(data["node_z"].values)
+    axes.set_aspect("equal")
+    axes.set(xlim=_margin(data["node_x"], 0.06 * span), ylim=_margin(data["node_z"], 0.45 * height))
+    axes.set_xlabel("distance from the bow $x$ [m]")
+    axes.set_ylabel("height $z$ [m]")
+
+
+def fig3(data: xr.Dataset) -> Figure:
+    """Fluid domain with its named boundaries."""
+    figure, axes = single(8.0, 3.2)
+    faces = data["face_node"].values
+    water = Triangulation(data["node_x"].values, data["node_z"].values, faces)
+    axes.tripcolor(water, np.zeros(len(faces)), cmap="Blues", vmin=-1, vmax=6)
+    scene(axes, data)
+    span = np.ptp(data["node_x"].values)
+    for name, (dx, dz) in {
+        "In": (-0.03, 0),
+        "Out": (0.03, 0),
+        "Botm": (0, -3),
+        "Ship": (0, 2),
+    }.items():
+        x, z = edges(data, name)
+        axes.text(
+            x.mean() + dx * span,
+            (z.min() if name == "Botm" else z.mean()) + dz,
+            name,
+            color=COLORS[name],
+            ha="center",
+            va="center",
+            rotation=90 if dx else 0,
+        )
+    x, z = edges(data, "FreeS")
+    ship = edges(data, "Ship")[0]
+    for part in (x < ship.mean(), x > ship.mean()):
+        axes.text(
+            x[part].mean(), z.max() + 3, "FreeS", color=COLORS["FreeS"], ha="center", va="center"
+        )
+    axes.text(0.5 * (x.min() + ship.min()), 0.5 * z.max(), r"$\Omega$", fontsize=14, va="center")
+    axes.set_title("fluid domain $\\Omega$ and its boundaries", fontsize=10)
+    return figure
+
+
+def fig8(data: xr.Dataset) -> Figure:
+    """Topology and dimensions, measured on the mesh."""
+    figure, axes = single(8.0, 3.6)
+    scene(axes, data)
+    ship_x, ship_z = edges(data, "Ship")
+    left, right = data["node_x"].values.min(), data["node_x"].values.max()
+    top, keel = edges(data, "FreeS")[1].max(), ship_z.min()
+    surface = ship_x[ship_z == top]
+    bow, stern = surface.min(), surface.max()
+    deck, low = top + 0.2 * (top - keel) + 1, float(data["bed_z"].min()) - 0.18 * top
+    _measure(axes, (bow, deck), (stern, deck), f"$L$ = {stern - bow:.4g} m")
+    _measure(axes, (left, low), (bow, low), f"$D_{{in}}$ = {bow - left:.4g} m")
+    _measure(axes, (stern, low), (right, low), f"$D_{{out}}$ = {right - stern:.4g} m")
+    middle = float(ship_x[ship_z == keel].mean())
+    bed = float(np.interp(middle, data["bed_x"], data["bed_z"]))
+    _measure(axes, (middle, keel), (middle, top), f"$T$ = {top - keel:.4g} m")
+    _measure(axes, (middle, bed), (middle, keel), f"$UKC$ = {keel - bed:.4g} m")
+    at = 0.5 * (left + bow)
+    floor = float(np.interp(at, data["bed_x"], data["bed_z"]))
+    _measure(axes, (at, floor), (at, top), f"$H$ = {top - floor:.4g} m")
+    axes.axhline(top, color=PURPLE, lw=0.8, ls=":")
+    axes.set_title("topology and dimensions at rest", fontsize=10)
+    return figure
+
+
+def _measure(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
+    axes.annotate("", end, start, arrowprops={"arrowstyle": "<->", "shrinkA": 0, "shrinkB": 0})
+    middle = 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])
+    level = start[1] == end[1]
+    axes.annotate(
+        text,
+        middle,
+        (0, 3) if level else (5, 0),
+        textcoords="offset points",
+        ha="center" if level else "left",
+        va="bottom" if level else "center",
+    )
+
+
+def _margin(values: xr.DataArray, room: float) -> tuple[float, float]:
+    return float(values.min()) - room, float(values.max()) + room

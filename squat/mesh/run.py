@@ -1,0 +1,24 @@
+"""From a case to the mesh dataset."""
+
+import numpy as np
+import xarray as xr
+
+from squat.mesh.case import MeshCase
+from squat.mesh.generate import generate
+from squat.mesh.mesh import Mesh
+from squat.mesh.submesh import submesh
+from squat.mesh.ugrid import to_dataset
+
+
+def make(case: MeshCase, modes: tuple[str, ...] = ("surge", "heave", "pitch")) -> Mesh:
+    """Mesh of a case; raises InputError where the geometry is impossible."""
+    return generate(submesh(case.hull, case.channel, modes), case.mesh)
+
+
+def run(case: MeshCase) -> xr.Dataset:
+    """Dataset of kind `mesh`; raises InputError where the shown position is inadmissible."""
+    place = case.position
+    coarse = submesh(case.hull, case.channel)
+    q = np.array([place.surge, place.heave, place.pitch])
+    coarse.check(q)
+    return to_dataset(generate(coarse, case.mesh), q)
