@@ -81,6 +81,7 @@ def _run(config: DictConfig, folder: Path, multirun: bool) -> None:
     valid = validate(plain(config))
     level = valid.settings.log_level.upper()
     logging.basicConfig(format="%(levelname)s %(message)s", level=level, force=True)
+    logging.getLogger("skfem").setLevel(logging.WARNING)  # it reports every basis at INFO
     out = valid.settings.out
     if multirun:
         folder.mkdir(parents=True, exist_ok=True)

@@ -11,6 +11,8 @@ import xarray as xr
 from squat import analysis, figures, piston, records
 from squat.config.schema import Valid
 from squat.errors import InputError
+from squat.fluid import inertia, sensitivity
+from squat.fluid import run as added_mass
 from squat.stability import run as equilibria
 
 _log = logging.getLogger(__name__)
@@ -28,6 +30,9 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "iterations": piston.study,
     "equilibria": equilibria.run,
     "mesh": _mesh,
+    "added_mass": added_mass.run,
+    "inertia": inertia.run,
+    "sensitivity": sensitivity.run,
 }
 FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
     "table": (".csv", analysis.write_table),

@@ -13,6 +13,9 @@ from squat.analysis import TableCase, VerdictsCase
 from squat.errors import InputError
 from squat.figures import FigureCase
 from squat.mesh.case import MeshCase
+from squat.fluid.inertia import InertiaCase
+from squat.fluid.run import AddedMassCase
+from squat.fluid.sensitivity import SensitivityCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
 from squat.stability.run import EquilibriaCase
@@ -22,6 +25,9 @@ CASES: dict[str, type] = {
     "iterations": StudyCase,
     "equilibria": EquilibriaCase,
     "mesh": MeshCase,
+    "added_mass": AddedMassCase,
+    "inertia": InertiaCase,
+    "sensitivity": SensitivityCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

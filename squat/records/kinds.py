@@ -131,4 +131,69 @@ MESH = Kind(
     },
 )
 
-KINDS = {kind.name: kind for kind in (PISTON, ITERATIONS, EQUILIBRIA, MESH)}
+_MATRIX = ("mode_i", "mode_j")
+_MASS = "kg m-1"
+_ENTRIES = "; kg with one rotation, kg m with two"
+ADDED_MASS = Kind(
+    "added_mass",
+    1,
+    "Added-mass matrix of a hull per unit width, Eqs. (22) to (26)",
+    {
+        "mode_i": Variable(("mode_i",), "1", "mode that the force acts on"),
+        "mode_j": Variable(("mode_j",), "1", "mode that accelerates"),
+        "mode": Variable(("mode",), "1", "mode that accelerates"),
+        "added_mass": Variable(_MATRIX, _MASS, f"added mass, extrapolated{_ENTRIES}"),
+        "added_mass_error": Variable(_MATRIX, _MASS, f"absolute error of added_mass{_ENTRIES}"),
+        "added_mass_mesh": Variable(_MATRIX, _MASS, f"added mass on the given mesh{_ENTRIES}"),
+        "added_mass_mesh_error": Variable(
+            _MATRIX, _MASS, f"absolute error of added_mass_mesh{_ENTRIES}"
+        ),
+        "inertia_coefficient": Variable((), "1", "i = m_22/(rho pi a^2), Eq. (28), extrapolated"),
+        "inertia_coefficient_error": Variable((), "1", "absolute error of inertia_coefficient"),
+        "inertia_coefficient_mesh": Variable((), "1", "i on the given mesh"),
+        "ship_mass": Variable((), _MASS, "mass of the displaced water"),
+        "mass_ratio": Variable((), "1", "m_add/m of heave, extrapolated"),
+        "pressure": Variable(
+            ("mode", "node"), "kg m-2", "p_j of Eq. (25) per unit acceleration; kg m-1 for rotation"
+        ),
+        "node_x": Variable(("node",), "m", "x of the mesh's nodes, from the bow"),
+        "node_z": Variable(("node",), "m", "z of the mesh's nodes, from the bottom"),
+        "face_node": Variable(("face", "corner"), "1", "nodes of each triangle, from 0"),
+    },
+    ("free_surface",),
+)
+
+INERTIA = Kind(
+    "inertia",
+    1,
+    "Inertia coefficient of heave of rectangles, Eq. (28)",
+    {
+        "reading": Variable(("cell",), "1", "depth: H fixed; draft: T fixed; deep: H/T infinite"),
+        "depth_over_draft": Variable(("cell",), "1", "H/T"),
+        "a_over_T": Variable(("cell",), "1", "a/T, half length over draft"),
+        "inertia_coefficient": Variable(("cell",), "1", "i, extrapolated"),
+        "inertia_coefficient_error": Variable(("cell",), "1", "absolute error of i"),
+        "inertia_coefficient_mesh": Variable(("cell",), "1", "i on the given mesh"),
+        "mesh_nodes": Variable(("cell",), "1", "nodes of the given mesh"),
+    },
+)
+
+SENSITIVITY = Kind(
+    "sensitivity",
+    1,
+    "Inertia coefficient against mesh size and against the distance of In and Out",
+    {
+        "size": Variable(("size",), "m", "element size at the hull"),
+        "size_inertia_coefficient": Variable(("size",), "1", "i on that mesh"),
+        "size_nodes": Variable(("size",), "1", "nodes of that mesh"),
+        "size_limit": Variable((), "1", "i, extrapolated, in the given channel"),
+        "distance": Variable(("distance",), "m", "In and Out from bow and stern"),
+        "distance_inertia_coefficient": Variable(("distance",), "1", "i, extrapolated"),
+        "distance_error": Variable(("distance",), "1", "absolute error of i"),
+    },
+    ("recommended_size", "recommended_distance", "tolerance"),
+)
+
+KINDS = {
+    kind.name: kind for kind in (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY)
+}
