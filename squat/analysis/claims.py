@@ -17,6 +17,9 @@ class Sources(NamedTuple):
 
     iterations: xr.Dataset
     equilibria: xr.Dataset
+    table4: xr.Dataset
+    table5: xr.Dataset
+    table6: xr.Dataset
 
 
 class Finding(NamedTuple):
@@ -42,7 +45,8 @@ def claim(name: str) -> Callable[[Check], Check]:
     return register
 
 
-def _holds(condition: bool) -> Verdict:
+def holds(condition: bool) -> Verdict:
+    """Return `match` where the sentence holds, `differs` otherwise."""
     return MATCH if condition else DIFFERS
 
 
@@ -67,7 +71,7 @@ def _(sources: Sources) -> Finding:
     standard = sources.iterations.sel(added_mass_ratio=0)
     heavy = standard["status"].values[standard["mass_ratio"].values >= 1]
     return Finding(
-        "diverges", f"{heavy.size} mass ratios run", _holds(bool((heavy == "diverged").all()))
+        "diverges", f"{heavy.size} mass ratios run", holds(bool((heavy == "diverged").all()))
     )
 
 
@@ -113,7 +117,7 @@ def _(sources: Sources) -> Finding:
     return Finding(
         here,
         "m_add = 2 m_f against m_f/2: |G| is less when m_f > m (dt -> 0); Table 3 shows it too",
-        _holds(bool((double < half).all())),
+        holds(bool((double < half).all())),
     )
 
 
@@ -153,7 +157,7 @@ def _(sources: Sources) -> Finding:
     )
     rising = bool((np.diff(gain[finite]) > 0).all() and (~finite[np.argmin(finite) :]).all())
     note = "without bound where the standard scheme diverges; growing, but not in proportion"
-    return Finding(here, note, _holds(rising or bool(finite.all())))
+    return Finding(here, note, holds(rising or bool(finite.all())))
 
 
 @claim("squat_speed")
@@ -171,7 +175,7 @@ def _above(data: xr.Dataset) -> xr.Dataset:
 def _(sources: Sources) -> Finding:
     above = _above(sources.equilibria)
     gone = above["stable"].isnull() & above["unstable"].isnull()
-    return Finding("complex", f"{above.sizes['speed']} speeds", _holds(bool(gone.all())))
+    return Finding("complex", f"{above.sizes['speed']} speeds", holds(bool(gone.all())))
 
 
 @claim("third_root")
@@ -180,12 +184,12 @@ def _(sources: Sources) -> Finding:
     bottom = config["hull"]["draft"] - config["channel"]["depth"]
     third = sources.equilibria["unphysical"]
     note = f"highest value {float(third.max()):.6g} m; the bottom is met at w = {bottom:g} m"
-    return Finding("below", note, _holds(bool((third <= bottom).all())))
+    return Finding("below", note, holds(bool((third <= bottom).all())))
 
 
 @claim("stability")
 def _(sources: Sources) -> Finding:
     data = sources.equilibria
     below = data.sel(speed=data["speed"] < data["squat_speed"])
-    holds = (below["stable_stiffness"] > 0).all() and (below["unstable_stiffness"] < 0).all()
-    return Finding("stable, unstable", "sign of the restoring slope", _holds(bool(holds)))
+    signs = (below["stable_stiffness"] > 0).all() and (below["unstable_stiffness"] < 0).all()
+    return Finding("stable, unstable", "sign of the restoring slope", holds(bool(signs)))

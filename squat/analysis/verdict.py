@@ -34,3 +34,10 @@ def difference(printed: str, here: float) -> float:
         return math.nan
     paper = float(printed)
     return 0.0 if paper == here else here - paper
+
+
+def half_digit(printed: str) -> float:
+    """Half a unit of the last digit printed."""
+    exponent = Decimal(printed).as_tuple().exponent
+    assert isinstance(exponent, int)
+    return float(Decimal(1).scaleb(exponent)) / 2

@@ -8,16 +8,19 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import published, records
+from squat.analysis import inertia_claims  # noqa: F401  (registers its checks)
 from squat.analysis.claims import CHECKS, Finding, Sources
 from squat.analysis.pages import write_frame
+from squat.analysis.tables import TABLES
 from squat.analysis.verdict import Verdict, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
-from squat.records.kinds import EQUILIBRIA, ITERATIONS
+from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS
 
 COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
 _TABLE_COLUMNS = ("paper", "here", "difference", "verdict", "note")
-_UNITS = {"table1": "SI", "table2": "1", "table3": "1", "table7": "m"}
+_KEYS = {key for name in TABLES for cell in published.table(name) for key in cell.keys}
+_UNITS = {"table1": "SI", "table6": "SI", "table7": "m"}
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -30,22 +33,29 @@ class VerdictsCase:
         CSV files of task=table.
     iterations, equilibria
         Datasets of those tasks.
+    table4, table5
+        Datasets of task=inertia.
+    table6
+        Dataset of task=added_mass.
     """
 
     tables: Annotated[tuple[str, ...], Field(min_length=1)]
     iterations: str
     equilibria: str
+    table4: str
+    table5: str
+    table6: str
 
 
 def table_rows(path: Path) -> list[dict[str, Any]]:
     """Rows of the list from one table's CSV."""
     try:
         frame = pd.read_csv(path, dtype=str, keep_default_na=False)
-        keys = [column for column in frame.columns if column not in _TABLE_COLUMNS]
+        keys = [column for column in frame.columns if column in _KEYS]
         frame[list(_TABLE_COLUMNS)]
     except (OSError, ValueError, KeyError) as error:
         raise InputError(f"{path}: not a table of squat task=table; write it again") from error
-    where = path.stem.replace("table", "Table ")
+    where = path.stem.replace("table", "Table ").replace("_critical", ", last column")
     return [
         {
             "claim": where + ": " + ", ".join(f"{key} = {row[key]}" for key in keys),
@@ -84,8 +94,11 @@ def _verdict(paper: str, found: Finding) -> Verdict:
 def write_verdicts(case: VerdictsCase, path: Path) -> None:
     """Write the whole list as CSV."""
     sources = Sources(
-        records.read(Path(case.iterations), ITERATIONS),
-        records.read(Path(case.equilibria), EQUILIBRIA),
+        iterations=records.read(Path(case.iterations), ITERATIONS),
+        equilibria=records.read(Path(case.equilibria), EQUILIBRIA),
+        table4=records.read(Path(case.table4), INERTIA),
+        table5=records.read(Path(case.table5), INERTIA),
+        table6=records.read(Path(case.table6), ADDED_MASS),
     )
     rows = [row for name in case.tables for row in table_rows(Path(name))]
     write_frame(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)

@@ -12,10 +12,10 @@ from pydantic_core import ErrorDetails
 from squat.analysis import TableCase, VerdictsCase
 from squat.errors import InputError
 from squat.figures import FigureCase
-from squat.mesh.case import MeshCase
 from squat.fluid.inertia import InertiaCase
 from squat.fluid.run import AddedMassCase
 from squat.fluid.sensitivity import SensitivityCase
+from squat.mesh.case import MeshCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
 from squat.stability.run import EquilibriaCase

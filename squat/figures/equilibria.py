@@ -23,7 +23,7 @@ def fig10(data: xr.Dataset) -> Figure:
         ("unphysical", PURPLE, "$w_3$, below the bottom"),
     ):
         axes.plot(speed, data[name], color=color, label=label)
-    for cell, (keys, text) in enumerate(published.table(7)):
+    for cell, (keys, text) in enumerate(published.table("table7")):
         color = BLUE if keys["root"] == "stable" else RED
         label = "" if cell else "Table 7, printed"
         axes.plot(float(keys["V_inf"]), float(text), "o", mfc="none", color=color, label=label)

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Literal
 
 import matplotlib as mpl
 import xarray as xr
@@ -10,13 +9,22 @@ from matplotlib.figure import Figure
 from pydantic.dataclasses import dataclass
 
 from squat import records
+from squat.errors import InputError
+from squat.figures.added_mass import fig7, fig9, sensitivity
 from squat.figures.domain import fig3, fig8
 from squat.figures.equilibria import fig10
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.style import SETTINGS
 from squat.quantities import STRICT
-from squat.records.kinds import EQUILIBRIA, ITERATIONS, MESH
+from squat.records.kinds import (
+    ADDED_MASS,
+    EQUILIBRIA,
+    INERTIA,
+    ITERATIONS,
+    MESH,
+    SENSITIVITY,
+)
 from squat.records.schema import Kind
 
 FIGURES: dict[str, tuple[Kind, Callable[[xr.Dataset], Figure]]] = {
@@ -27,6 +35,9 @@ FIGURES: dict[str, tuple[Kind, Callable[[xr.Dataset], Figure]]] = {
     "fig6": (MESH, fig6),
     "fig8": (MESH, fig8),
     "mesh_quality": (MESH, mesh_quality),
+    "fig7": (ADDED_MASS, fig7),
+    "fig9": (INERTIA, fig9),
+    "sensitivity": (SENSITIVITY, sensitivity),
 }
 
 
@@ -37,14 +48,17 @@ class FigureCase:
     Parameters
     ----------
     figure
-        Name: `fig3`, `fig5`, `fig6`, `fig8`, `fig10`, `mesh_quality`, or `iterations` (against
-        mass ratio).
+        Name of one of `FIGURES`.
     data
         Path of the dataset.
     """
 
-    figure: Literal["fig10", "iterations", "fig3", "fig5", "fig6", "fig8", "mesh_quality"]
+    figure: str
     data: str
+
+    def __post_init__(self) -> None:
+        if self.figure not in FIGURES:
+            raise InputError(f"figure={self.figure}: unknown; give one of {', '.join(FIGURES)}")
 
 
 def write_figure(case: FigureCase, path: Path) -> None:

@@ -3,6 +3,6 @@
 Nothing else in the code or the configuration repeats a printed result.
 """
 
-from squat.published.reader import Printed, claims, critical, table
+from squat.published.reader import Printed, claims, table
 
-__all__ = ["Printed", "claims", "critical", "table"]
+__all__ = ["Printed", "claims", "table"]

@@ -14,14 +14,22 @@ class Printed(NamedTuple):
 
 
 _FILES = {
-    1: "table1_piston_parameters.csv",
-    2: "table2_iterations.csv",
-    3: "table3_iterations_vs_added_mass.csv",
-    4: "table4_inertia_coefficient.csv",
-    5: "table5_inertia_coefficient.csv",
-    6: "table6_coupled_parameters.csv",
-    7: "table7_equilibria.csv",
+    "table1": "table1_piston_parameters.csv",
+    "table2": "table2_iterations.csv",
+    "table3": "table3_iterations_vs_added_mass.csv",
+    "table4": "table4_inertia_coefficient.csv",
+    "table5": "table5_inertia_coefficient.csv",
+    "table6": "table6_coupled_parameters.csv",
+    "table7": "table7_equilibria.csv",
 }
+_ACROSS = {
+    "table2": ("mf_over_m", "scheme"),
+    "table3": ("madd_over_mf", "mf_over_m"),
+    "table4": ("depth_over_draft", "source"),
+    "table5": ("a_over_T", "depth_over_draft"),
+    "table7": ("V_inf", "root"),
+}
+"""Tables with two keys: the one down the page, the one across."""
 _CRITICAL = "critical_inertia_coefficient"
 _ROOTS = {"stable_m": "stable", "unstable_m": "unstable"}
 
@@ -40,28 +48,17 @@ def _melt(frame: pd.DataFrame, key: str, across: str) -> list[Printed]:
     ]
 
 
-def table(number: int) -> list[Printed]:
-    """Cells of Table `number`, in the order of the print."""
-    frame = _read(_FILES[number])
-    match number:
-        case 1 | 6:
-            return [Printed({"quantity": row[0]}, row[1]) for row in frame.itertuples(index=False)]
-        case 2:
-            return _melt(frame, "mf_over_m", "scheme")
-        case 3:
-            return _melt(frame, "madd_over_mf", "mf_over_m")
-        case 4:
-            return _melt(frame, "depth_over_draft", "source")
-        case 5:
-            return _melt(frame.drop(columns=_CRITICAL), "a_over_T", "depth_over_draft")
-        case _:
-            return _melt(frame.rename(columns=_ROOTS), "V_inf", "root")
-
-
-def critical() -> list[Printed]:
-    """Last column of Table 5: 2/(pi a/T), below which the standard scheme would converge."""
-    frame = _read(_FILES[5])
-    return [Printed({"a_over_T": row["a_over_T"]}, row[_CRITICAL]) for _, row in frame.iterrows()]
+def table(name: str) -> list[Printed]:
+    """Cells of a table (`table1`, ..., `table5_critical`), in the order of the print."""
+    if name == "table5_critical":
+        rows = _read(_FILES["table5"]).to_dict("records")
+        return [Printed({"a_over_T": row["a_over_T"]}, row[_CRITICAL]) for row in rows]
+    frame = _read(_FILES[name])
+    if name in _ACROSS:
+        key, across = _ACROSS[name]
+        columns = [column for column in frame.columns if column != _CRITICAL]
+        return _melt(frame[columns].rename(columns=_ROOTS), key, across)
+    return [Printed({"quantity": row[0]}, row[1]) for row in frame.itertuples(index=False)]
 
 
 def claims() -> pd.DataFrame:

@@ -184,8 +184,11 @@ SENSITIVITY = Kind(
     "Inertia coefficient against mesh size and against the distance of In and Out",
     {
         "size": Variable(("size",), "m", "element size at the hull"),
-        "size_inertia_coefficient": Variable(("size",), "1", "i on that mesh"),
-        "size_nodes": Variable(("size",), "1", "nodes of that mesh"),
+        "growth": Variable(
+            ("growth",), "1", "fixed: size far away and slope stay; scaled: they follow the size"
+        ),
+        "size_inertia_coefficient": Variable(("growth", "size"), "1", "i on that mesh"),
+        "size_nodes": Variable(("growth", "size"), "1", "nodes of that mesh"),
         "size_limit": Variable((), "1", "i, extrapolated, in the given channel"),
         "distance": Variable(("distance",), "m", "In and Out from bow and stern"),
         "distance_inertia_coefficient": Variable(("distance",), "1", "i, extrapolated"),
@@ -195,5 +198,6 @@ SENSITIVITY = Kind(
 )
 
 KINDS = {
-    kind.name: kind for kind in (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY)
+    kind.name: kind
+    for kind in (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY)
 }

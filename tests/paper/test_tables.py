@@ -2,27 +2,28 @@
 
 import pytest
 
-from squat.analysis.tables import compare, implied_tolerance, unreachable
+from squat.analysis.piston_tables import implied_tolerance, unreachable
+from squat.analysis.tables import compare
 from squat.analysis.verdicts import claim_rows
 
 
 def test_table_1_is_the_case_that_runs(sources):
-    assert (compare(1, sources.iterations)["verdict"] == "match").all()
+    assert (compare("table1", sources.iterations)["verdict"] == "match").all()
 
 
 def test_table_2_corrected_takes_five_iterations_throughout(sources):
-    table = compare(2, sources.iterations)
+    table = compare("table2", sources.iterations)
     assert (table[table["scheme"] == "corrected"]["verdict"] == "match").all()
 
 
 def test_table_2_standard_diverges_from_a_mass_ratio_of_one(sources):
-    table = compare(2, sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
+    table = compare("table2", sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
     assert (table.loc[["1", "2", "10"], "here"] == "inf").all()
 
 
 def test_table_2_standard_four_cells_share_a_tolerance_and_four_cannot(sources):
     """Eq. (11): a count printed as N needs a tolerance in an interval; the intervals part."""
-    table = compare(2, sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
+    table = compare("table2", sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
     spans = {}
     for ratio in ("0.2", "0.5", "0.66", "0.8", "0.9", "0.95", "0.98", "0.99"):
         cell = sources.iterations["predicted_contraction"].sel(
@@ -52,14 +53,14 @@ def test_implied_tolerance_recovers_the_tolerance_of_a_run(case, tolerance):
 
 
 def test_table_3_all_forty_cells_within_one(sources):
-    table = compare(3, sources.iterations)
+    table = compare("table3", sources.iterations)
     assert len(table) == 40
     here, paper = table["here"].astype(float), table["paper"].astype(float)
     assert ((here // 1 - paper).abs() <= 1).all()
 
 
 def test_table_7_differs_in_one_cell_by_the_papers_hundredth(sources):
-    table = compare(7, sources.equilibria)
+    table = compare("table7", sources.equilibria)
     assert (table["verdict"] == "match").sum() == 9
     other = table[table["verdict"] != "match"].iloc[0]
     assert (other["V_inf"], other["root"], other["verdict"]) == ("1", "unstable", "differs")
@@ -77,7 +78,7 @@ def test_no_tolerance_makes_the_odd_cell_of_table_7_match(sources):
         Channel(depth=20.0, upstream=40.0, downstream=60.0),
         Water(density=1000.0, gravity=9.81),
     )
-    table = compare(7, sources.equilibria)
+    table = compare("table7", sources.equilibria)
     printed = float(table[table["verdict"] != "match"].iloc[0]["paper"])
     low, high = (float(model.force(printed + half, 1.0)) for half in (-0.005, 0.005))
     assert low * high > 0

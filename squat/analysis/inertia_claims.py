@@ -1,0 +1,79 @@
+"""Sentences of sections 3.5 and 3.6 on added mass."""
+
+import math
+
+import numpy as np
+
+from squat.analysis.claims import Finding, Sources, claim, holds
+from squat.analysis.tables import compare
+from squat.analysis.verdict import DIFFERS, INCONSISTENT
+
+
+def _wendel(sources: Sources) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """H/T, Wendel's value and ours at a/T = 1."""
+    table = compare("table4", sources.table4).query("source == 'wendel_1956'")
+    columns = (
+        table[name].astype(float).to_numpy() for name in ("depth_over_draft", "paper", "here")
+    )
+    ratio, wendel, here = columns
+    return ratio, wendel, here
+
+
+@claim("very_good_agreement")
+def _(sources: Sources) -> Finding:
+    ratio, wendel, here = _wendel(sources)
+    apart = np.abs(wendel / here - 1)
+    worst = int(apart.argmax())
+    here_text = f"within {100 * np.sort(apart)[-2]:.1f} %, but {100 * apart[worst]:.1f} %"
+    note = "the paper's own values lie as far from Wendel's; his are estimates"
+    return Finding(f"{here_text} at H/T = {ratio[worst]:g}", note, holds(bool(apart.max() < 0.03)))
+
+
+@claim("underestimates")
+def _(sources: Sources) -> Finding:
+    ratio, wendel, here = _wendel(sources)
+    finite = np.isfinite(ratio)
+    below = here[finite] < wendel[finite]
+    note = "exact values, so neither elements nor In and Out explain it; deep water is above 0.75"
+    text = f"below Wendel's in {below.sum()} of {below.size} cells of finite depth"
+    return Finding(text, note, holds(bool(below.all())))
+
+
+@claim("highest")
+def _(sources: Sources) -> Finding:
+    main = sources.table5.isel(cell=np.flatnonzero(sources.table5["reading"] == "depth"))
+    top = main.isel(cell=int(np.argmax(main["inertia_coefficient"].values)))
+    ratio, a = float(top["depth_over_draft"]), float(top["a_over_T"])
+    at_corner = ratio == main["depth_over_draft"].min() and a == main["a_over_T"].max()
+    value = float(top["inertia_coefficient"])
+    return Finding(f"{value:.6g} at H/T = {ratio:g}, a/T = {a:g}", "", holds(bool(at_corner)))
+
+
+def _light(sources: Sources) -> tuple[int, int]:
+    """Cells of Table 5 in which the added mass does not exceed the ship's, and all cells."""
+    main = sources.table5.isel(cell=np.flatnonzero(sources.table5["reading"] == "depth"))
+    ratio = main["inertia_coefficient"] * math.pi * main["a_over_T"] / 2
+    return int((ratio <= 1).sum()), main.sizes["cell"]
+
+
+@claim("rarely_satisfied")
+def _(sources: Sources) -> Finding:
+    light, cells = _light(sources)
+    share = light / cells
+    return Finding(
+        f"in {light} of {cells} cells of Table 5", "all at a/T = 0.5", holds(share < 0.2)
+    )
+
+
+@claim("exceeds_mass")
+def _(sources: Sources) -> Finding:
+    light, cells = _light(sources)
+    note = "Table 5 itself contradicts it at a/T = 0.5: i below 2/(pi a/T)"
+    verdict = INCONSISTENT if light else DIFFERS
+    return Finding(f"not in {light} of {cells} cells of Table 5", note, verdict)
+
+
+@claim("ratio_above_one")
+def _(sources: Sources) -> Finding:
+    ratio = float(sources.table6["mass_ratio"])
+    return Finding(f"m_add/m = {ratio:.8g}", "zero pressure, Eq. (23)", holds(ratio > 1))

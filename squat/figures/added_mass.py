@@ -1,0 +1,103 @@
+"""Figures 7 and 9, and the two sensitivity studies of section 3.5."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator, NullFormatter
+from matplotlib.tri import Triangulation
+
+from squat import published
+from squat.figures.style import BLUE, GREEN, PALETTE, RED, single
+
+_TITLES = {"surge": "surge", "heave": "heave", "pitch": "pitch (bow down)"}
+
+
+def fig7(data: xr.Dataset) -> Figure:
+    """Pressure p_j of the three rigid modes: solid positive, dashed negative isovalues."""
+    figure = Figure(figsize=(8.4, 6.6), layout="constrained")
+    panels = figure.subplots(3, 1, sharex=True)
+    grid = Triangulation(data["node_x"], data["node_z"], data["face_node"])
+    for axes, mode in zip(panels, _TITLES, strict=True):
+        _isovalues(axes, grid, data["pressure"].sel(mode=mode).values, mode)
+    panels[-1].set_xlabel("$x$ from the bow [m]")
+    return figure
+
+
+def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str) -> None:
+    unit = "t/m$^2$" if mode != "pitch" else "t/m"
+    values = pressure / 1000
+    levels = np.asarray(MaxNLocator(9).tick_values(0, np.abs(values).max()))[1:]
+    for signed, style in ((levels, "solid"), (-levels[::-1], "dashed")):
+        lines = axes.tricontour(grid, values, signed, colors="k", linestyles=style, linewidths=0.9)
+        axes.clabel(lines, fmt="%g", fontsize=7)
+    edges = grid.edges[np.flatnonzero(_outer(grid))]
+    x, z = np.asarray(grid.x), np.asarray(grid.y)
+    axes.plot(x[edges].T, z[edges].T, color=BLUE, lw=1.2)
+    axes.set(aspect="equal", ylabel="$z$ [m]", xlim=(-35, x.max() - 15))
+    axes.set_title(f"{_TITLES[mode]}: $p$ per unit acceleration [{unit}]", fontsize=10)
+    axes.grid(visible=False)
+
+
+def _outer(grid: Triangulation) -> np.ndarray:
+    """Whether each edge belongs to one triangle only."""
+    sides = np.sort(grid.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    unique, count = np.unique(sides, axis=0, return_counts=True)
+    single_sides = {tuple(side) for side in unique[count == 1].tolist()}
+    return np.array([tuple(sorted(edge)) in single_sides for edge in grid.edges.tolist()])
+
+
+def fig9(data: xr.Dataset) -> Figure:
+    """Inertia coefficient over a/T for each H/T, with the print's cells and the criterion."""
+    figure, axes = single(7.4, 5.0)
+    main = data.isel(cell=np.flatnonzero(data["reading"] == "depth"))
+    ratios = np.unique(main["depth_over_draft"])
+    colors = [*PALETTE, "#666666", "#999999"]
+    for ratio, color in zip(ratios, colors, strict=False):
+        row = main.isel(cell=np.flatnonzero(main["depth_over_draft"] == ratio)).sortby("a_over_T")
+        axes.plot(
+            row["a_over_T"], row["inertia_coefficient"], color=color, label=f"$H/T$ = {ratio:g}"
+        )
+        for keys, text in published.table("table5"):
+            if float(keys["depth_over_draft"]) == ratio:
+                axes.plot(float(keys["a_over_T"]), float(text), "o", mfc="none", ms=4, color=color)
+    a = np.linspace(float(main["a_over_T"].min()), float(main["a_over_T"].max()), 200)
+    axes.plot(a, 2 / (np.pi * a), "k--", lw=1, label="$m_{add} = m$")
+    axes.plot([], [], "o", mfc="none", ms=4, color="k", label="Table 5, printed")
+    axes.set(
+        xlabel="$a/T$, half length over draft [-]", ylabel="inertia coefficient $i$ [-]", ylim=0
+    )
+    figure.legend(loc="outside right upper")
+    return figure
+
+
+def sensitivity(data: xr.Dataset) -> Figure:
+    """Error of the inertia coefficient against mesh size and distance of In and Out."""
+    figure = Figure(figsize=(9.0, 4.0), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    size, distance = data["size"].values, data["distance"].values
+    error = np.abs(data["size_inertia_coefficient"].values / float(data["size_limit"]) - 1)
+    labels = {
+        "fixed": "P1, growth away from the hull kept",
+        "scaled": "P1, all sizes in proportion",
+    }
+    for growth, color in zip(data["growth"].values, (BLUE, GREEN), strict=True):
+        row = error[data["growth"].values == growth][0]
+        left.loglog(size, row, "o-", color=color, label=labels[str(growth)])
+    rate = error[-1, -1] * (size / size[-1]) ** (4 / 3)
+    left.loglog(size, rate, "k:", lw=1, label="$h^{4/3}$, the corner's rate")
+    left.set(xlabel="element size at the hull [m]", ylabel="relative error of $i$ [-]")
+    i = data["distance_inertia_coefficient"].values
+    right.loglog(distance[:-1], np.abs(i / i[-1] - 1)[:-1], "o-", color=RED, label="extrapolated")
+    right.set(xlabel="In and Out from bow and stern [m]")
+    _advise(left, size, data.attrs["recommended_size"], data.attrs["tolerance"])
+    _advise(right, distance[:-1], data.attrs["recommended_distance"], data.attrs["tolerance"])
+    return figure
+
+
+def _advise(axes: Axes, ticks: np.ndarray, value: float, tolerance: float) -> None:
+    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.axhline(tolerance, color="k", lw=1, ls="--", label=f"{100 * tolerance:g} % accepted")
+    axes.axvline(value, color="0.5", lw=1, label=f"recommended: {value:g} m")
+    axes.legend(fontsize=8)
