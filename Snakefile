@@ -20,6 +20,8 @@ wildcard_constraints:
 
 include: "workflows/rules/piston.smk"
 include: "workflows/rules/equilibria.smk"
+include: "workflows/rules/mesh.smk"
+include: "workflows/rules/added_mass.smk"
 include: "workflows/rules/analysis.smk"
 include: "workflows/rules/figures.smk"
 include: "workflows/rules/report.smk"

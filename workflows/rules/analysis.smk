@@ -1,37 +1,47 @@
 # Printed numbers beside ours.
+ADDED_MASS = f"{RESULTS}/added_mass"
 TABLES = {
-    1: rules.iterations.output[0],
-    2: rules.iterations.output[0],
-    3: rules.iterations.output[0],
-    7: rules.equilibria.output[0],
+    "table1": rules.iterations.output[0],
+    "table2": rules.iterations.output[0],
+    "table3": rules.iterations.output[0],
+    "table4": f"{ADDED_MASS}/table4.nc",
+    "table5": f"{ADDED_MASS}/table5.nc",
+    "table5_critical": f"{ADDED_MASS}/table5.nc",
+    "table6": f"{ADDED_MASS}/table6.nc",
+    "table7": rules.equilibria.output[0],
 }
 
 
 rule table:
     input:
-        lambda wildcards: TABLES[int(wildcards.number)],
+        lambda wildcards: TABLES[wildcards.table],
     output:
-        csv=f"{RESULTS}/tables/table{{number}}.csv",
+        csv=f"{RESULTS}/tables/{{table}}.csv",
         page=report(
-            f"{RESULTS}/tables/table{{number}}.html",
+            f"{RESULTS}/tables/{{table}}.html",
             caption=caption("table"),
             category="The paper's tables",
-            labels={"table": "Table {number}"},
+            labels={"table": "{table}"},
         ),
     log:
-        f"{RESULTS}/logs/table{{number}}.log",
+        f"{RESULTS}/logs/{{table}}.log",
     benchmark:
-        f"{RESULTS}/benchmarks/table{{number}}.tsv"
+        f"{RESULTS}/benchmarks/{{table}}.tsv"
+    wildcard_constraints:
+        table="|".join(TABLES),
     shell:
-        "squat task=table number={wildcards.number} 'data=\"{input}\"' 'out=\"{output.csv}\"'"
+        "squat task=table name={wildcards.table} 'data=\"{input}\"' 'out=\"{output.csv}\"'"
         " > {log:q} 2>&1"
 
 
 rule verdicts:
     input:
-        tables=expand(rules.table.output.csv, number=TABLES),
+        tables=expand(rules.table.output.csv, table=TABLES),
         iterations=rules.iterations.output[0],
         equilibria=rules.equilibria.output[0],
+        table4=f"{ADDED_MASS}/table4.nc",
+        table5=f"{ADDED_MASS}/table5.nc",
+        table6=f"{ADDED_MASS}/table6.nc",
     output:
         csv=f"{RESULTS}/tables/verdicts.csv",
         page=report(
@@ -46,6 +56,9 @@ rule verdicts:
         f"{RESULTS}/benchmarks/verdicts.tsv"
     params:
         tables=lambda wildcards, input: ",".join(f'"{name}"' for name in input.tables),
+        data=lambda wildcards, input: " ".join(
+            f"'{name}=\"{path}\"'" for name, path in input.items() if name != "tables"
+        ),
     shell:
-        "squat task=verdicts 'tables=[{params.tables}]' 'iterations=\"{input.iterations}\"'"
-        " 'equilibria=\"{input.equilibria}\"' 'out=\"{output.csv}\"' > {log:q} 2>&1"
+        "squat task=verdicts 'tables=[{params.tables}]' {params.data} 'out=\"{output.csv}\"'"
+        " > {log:q} 2>&1"

@@ -1,7 +1,15 @@
 # Figures, as PNG and SVG; one rule a figure, so that each has its caption in the report.
 FIGURES = {
+    "fig3": rules.mesh.output[0],
+    "fig5": rules.mesh.output[0],
+    "fig6": rules.mesh.output[0],
+    "fig7": f"{ADDED_MASS}/fig7.nc",
+    "fig8": rules.mesh.output[0],
+    "fig9": f"{ADDED_MASS}/table5.nc",
     "fig10": rules.equilibria.output[0],
     "iterations": rules.iterations.output[0],
+    "mesh_quality": rules.mesh.output[0],
+    "sensitivity": f"{ADDED_MASS}/sensitivity.nc",
 }
 
 for FIGURE, SOURCE in FIGURES.items():

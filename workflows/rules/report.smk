@@ -6,7 +6,7 @@ rule contents:
         rules.iterations.output,
         rules.equilibria.output,
         rules.verdicts.output,
-        expand(rules.table.output, number=TABLES),
+        expand(rules.table.output, table=TABLES),
         expand(
             f"{RESULTS}/figures/{{figure}}.{{suffix}}",
             figure=FIGURES,

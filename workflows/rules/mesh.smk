@@ -1,0 +1,14 @@
+# Section 3.1.3: the mesh and the submesh that moves it.
+
+
+rule mesh:
+    output:
+        f"{RESULTS}/mesh/mesh.nc",
+    log:
+        f"{RESULTS}/logs/mesh.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/mesh.tsv"
+    params:
+        config=configured("mesh"),
+    shell:
+        "squat task=mesh 'out=\"{output}\"' > {log:q} 2>&1"
