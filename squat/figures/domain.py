@@ -33,7 +33,7 @@ def scene(axes: Axes, data: xr.Dataset) -> None:
 
 def fig3(data: xr.Dataset) -> Figure:
     """Fluid domain with its named boundaries."""
-    figure, axes = single(8.0, 3.2)
+    figure, axes = single(8.0, 2.8)
     faces = data["face_node"].values
     water = Triangulation(data["node_x"].values, data["node_z"].values, faces)
     axes.tripcolor(water, np.zeros(len(faces)), cmap="Blues", vmin=-1, vmax=6)
@@ -68,14 +68,14 @@ def fig3(data: xr.Dataset) -> Figure:
 
 def fig8(data: xr.Dataset) -> Figure:
     """Topology and dimensions, measured on the mesh."""
-    figure, axes = single(8.0, 3.6)
+    figure, axes = single(8.0, 3.0)
     scene(axes, data)
     ship_x, ship_z = edges(data, "Ship")
     left, right = data["node_x"].values.min(), data["node_x"].values.max()
     top, keel = edges(data, "FreeS")[1].max(), ship_z.min()
     surface = ship_x[ship_z == top]
     bow, stern = surface.min(), surface.max()
-    deck, low = top + 0.2 * (top - keel) + 1, float(data["bed_z"].min()) - 0.18 * top
+    deck, low = top + 0.2 * (top - keel) + 1, float(data["bed_z"].min()) - 0.3 * top
     _measure(axes, (bow, deck), (stern, deck), f"$L$ = {stern - bow:.4g} m")
     _measure(axes, (left, low), (bow, low), f"$D_{{in}}$ = {bow - left:.4g} m")
     _measure(axes, (stern, low), (right, low), f"$D_{{out}}$ = {right - stern:.4g} m")

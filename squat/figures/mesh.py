@@ -23,7 +23,7 @@ def coarse(axes: Axes, data: xr.Dataset, prefix: str = "corner", color: str = RE
 
 def fig5(data: xr.Dataset) -> Figure:
     """The two ideas of the MSA: a coarse mesh that deforms, and interpolation inside it."""
-    figure = Figure(figsize=(8.0, 6.0), layout="constrained")
+    figure = Figure(figsize=(8.0, 4.8), layout="constrained")
     above, below = figure.subplots(2, 1)
     coarse(above, data, color="0.6")
     coarse(above, data, "moved_corner")
@@ -36,7 +36,7 @@ def fig5(data: xr.Dataset) -> Figure:
 
 def fig6(data: xr.Dataset) -> Figure:
     """The steps of the MSA: fine mesh, zones, moved zones, moved fine mesh."""
-    figure = Figure(figsize=(8.0, 8.0), layout="constrained")
+    figure = Figure(figsize=(8.0, 6.8), layout="constrained")
     axes = figure.subplots(4, 1, sharex=True, sharey=True)
     sizes = data.sizes
     fine(axes[0], data)
@@ -68,7 +68,7 @@ def mesh_quality(data: xr.Dataset) -> Figure:
         axes.set_title(f"{label}: least {float(data[name].min()):.2f}", fontsize=10)
         _channel(axes)
     figure.colorbar(drawn, ax=panels[:2], label="quality [-]")
-    bins = np.linspace(0, 1, 41)
+    bins = np.linspace(0, 1, 41).tolist()
     for (_, name, label), color in zip(cases, (BLUE, ORANGE), strict=True):
         panels[2].hist(data[name], bins=bins, histtype="step", color=color, lw=1.5, label=label)
     panels[2].set_yscale("log")

@@ -114,9 +114,7 @@ MESH = Kind(
             _CORNER, "1", "0 fixed, 1 rigid with the hull, 2 water line at the hull, 3 follower"
         ),
         "corner_partner": Variable(_CORNER, "1", "hull point that roles 2 and 3 follow"),
-        "corner_slope": Variable(
-            _CORNER, "1", "slope of the bottom or water line that a follower slides along"
-        ),
+        "corner_slope": Variable(_CORNER, "1", "slope dz/dx of a follower's path"),
         "zone_corner": Variable(("zone", "three"), "1", "coarse vertices of the zone"),
         "hull_corner": Variable(("hull_point",), "1", "coarse vertices that are hull points"),
         "keel_corner": Variable(("keel_point",), "1", "those of them nearest to the bottom"),

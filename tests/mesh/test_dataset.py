@@ -1,0 +1,70 @@
+"""The mesh as a record: UGRID, whole round trip, quality, figures from it alone."""
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from squat import records
+from squat.errors import InputError
+from squat.figures.write import FIGURES
+from squat.mesh.run import make, run
+from squat.mesh.ugrid import from_dataset
+from squat.records.kinds import MESH
+
+DRAWN = [name for name, (kind, _) in FIGURES.items() if kind is MESH]
+
+
+@pytest.fixture
+def stored(case, tmp_path):
+    def make_one(*overrides):
+        path = Path(tmp_path) / "mesh.nc"
+        dataset = run(case("mesh", "mesh=coarse", *overrides))
+        records.save(dataset, path, {"task": "mesh"}, time.perf_counter())
+        return records.read(path, MESH)
+
+    return make_one
+
+
+@pytest.mark.parametrize("hull", ["rectangle", "polygon", "lewis"])
+def test_mesh_comes_back_whole_and_moves_as_before(stored, case, hull):
+    back = from_dataset(stored(f"hull={hull}"))
+    mesh = make(case("mesh", "mesh=coarse", f"hull={hull}"))
+    assert back.points.tobytes() == mesh.points.tobytes()
+    assert np.array_equal(back.triangles, mesh.triangles)
+    assert all(np.array_equal(back.boundary[name], mesh.boundary[name]) for name in mesh.boundary)
+    q = np.array([1.0, -3.0, 0.03])
+    assert np.array_equal(back.moved(q), mesh.moved(q))
+    assert back.order == mesh.order
+
+
+def test_topology_follows_ugrid(stored):
+    data = stored("mesh.order=2")
+    topology = data["topology"].attrs
+    assert topology["cf_role"] == "mesh_topology"
+    assert topology["topology_dimension"] == 2
+    for name in topology["node_coordinates"].split():
+        assert data[name].dims == ("node",)
+    for role in ("face_node_connectivity", "boundary_node_connectivity"):
+        connectivity = data[topology[role]]
+        assert connectivity.attrs["start_index"] == 0
+        assert 0 <= int(connectivity.min()) <= int(connectivity.max()) < data.sizes["node"]
+    assert int(data["order"]) == 2
+
+
+def test_quality_is_recorded_at_rest_and_moved(stored):
+    data = stored()
+    assert 0 < float(data["face_quality"].min()) <= float(data["face_quality"].max()) <= 1
+    assert 0 < float(data["moved_quality"].min()) < float(data["face_quality"].mean())
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_figure_is_drawn_from_the_record_alone(stored, name):
+    assert isinstance(FIGURES[name][1](stored("hull=v")), Figure)
+
+
+def test_shown_position_out_of_range_is_refused_by_name(case):
+    with pytest.raises(InputError, match="grounded"):
+        run(case("mesh", "position.heave=-12.0"))
