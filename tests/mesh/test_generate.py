@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
-from pydantic import TypeAdapter
+from pydantic import TypeAdapter, ValidationError
 
 from squat.config import compose
-from squat.errors import InputError
 from squat.mesh import MeshSize, quality, smallest_angle
 from squat.mesh.generate import generate
 from tests.hulls import NAMES, hull, zones
@@ -72,7 +71,7 @@ def test_edges_on_the_hull_are_near_long():
     ],
 )
 def test_impossible_sizes_are_refused_by_name(changes, words):
-    with pytest.raises(InputError, match=words):
+    with pytest.raises(ValidationError, match=words):  # pydantic's cover of InputError
         MeshSize(**{"near": 0.5, **SIZE, **changes})
 
 
