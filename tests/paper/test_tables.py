@@ -17,13 +17,17 @@ def test_table_2_corrected_takes_five_iterations_throughout(sources):
 
 
 def test_table_2_standard_diverges_from_a_mass_ratio_of_one(sources):
-    table = compare("table2", sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
+    table = (
+        compare("table2", sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
+    )
     assert (table.loc[["1", "2", "10"], "here"] == "inf").all()
 
 
 def test_table_2_standard_four_cells_share_a_tolerance_and_four_cannot(sources):
     """Eq. (11): a count printed as N needs a tolerance in an interval; the intervals part."""
-    table = compare("table2", sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
+    table = (
+        compare("table2", sources.iterations).query("scheme == 'standard'").set_index("mf_over_m")
+    )
     spans = {}
     for ratio in ("0.2", "0.5", "0.66", "0.8", "0.9", "0.95", "0.98", "0.99"):
         cell = sources.iterations["predicted_contraction"].sel(
