@@ -15,6 +15,7 @@ from squat.quantities import STRICT, Count, Fraction, Positive, Vector
 
 LEVELS = 3
 _LEAST_ORDER, _GREATEST_ORDER = 1.0, 4.0
+_STEADY = 0.9
 _ROUNDING = 1e-10
 
 
@@ -54,7 +55,7 @@ class Accuracy:
             far=max(factor * self.far * channel.depth, factor * self.near * scale),
             slope=self.slope,
             grading=self.grading,
-            corner_radius=max(scale, 1.01 * factor * self.near * scale),
+            corner_radius=max(scale, 1.1 * factor * self.near * scale),
             order=2,
         )
 
@@ -84,7 +85,7 @@ def extrapolate(levels: Sequence[Vector], ratio: float, safety: float) -> Estima
     scale = np.abs(fine).max(initial=0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         order = np.log(before / after) / np.log(ratio)
-    steady = np.isfinite(order) & (order >= _LEAST_ORDER)
+    steady = np.isfinite(order) & (order > _STEADY)
     gain = ratio ** np.minimum(np.where(steady, order, _LEAST_ORDER), _GREATEST_ORDER) - 1
     value = fine + np.where(steady, after / gain, 0.0)
     error = safety * np.abs(after) / gain + _ROUNDING * scale

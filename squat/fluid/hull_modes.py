@@ -37,8 +37,10 @@ def bending(number: int, bow: float, length: float) -> HullMode:
     bow, length
         Where the girder begins [m] and how long it is [m]; unit displacement at its bow.
     """
-    low, high = (number + 0.25) * math.pi, (number + 0.75) * math.pi
-    kL = float(brentq(lambda x: math.cos(x) - 1 / math.cosh(x), low, high, xtol=1e-14))
+    middle = (number + 0.5) * math.pi
+    kL = float(
+        brentq(lambda x: math.cos(x) - 1 / math.cosh(x), middle - 0.5, middle + 0.5, xtol=1e-14)
+    )
     ratio = (math.cosh(kL) - math.cos(kL)) / (math.sinh(kL) - math.sin(kL))
 
     def field(points: Vector) -> Vector:

@@ -195,7 +195,5 @@ SENSITIVITY = Kind(
     ("recommended_size", "recommended_distance", "tolerance"),
 )
 
-KINDS = {
-    kind.name: kind
-    for kind in (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY)
-}
+_ALL = (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY)
+KINDS = {kind.name: kind for kind in _ALL}

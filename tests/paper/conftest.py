@@ -6,6 +6,8 @@ import pytest
 
 from squat.analysis.claims import Sources
 from squat.config import compose, validate
+from squat.fluid import inertia
+from squat.fluid import run as added_mass
 from squat.piston import study
 from squat.stability.run import run
 
@@ -17,4 +19,11 @@ def computed(function, task, *overrides):
 
 @pytest.fixture(scope="session")
 def sources():
-    return Sources(computed(study, "iterations"), computed(run, "equilibria"))
+    cells = "cases/inertia@cells="
+    return Sources(
+        iterations=computed(study, "iterations"),
+        equilibria=computed(run, "equilibria"),
+        table4=computed(inertia.run, "inertia", f"{cells}table4_small"),
+        table5=computed(inertia.run, "inertia", f"{cells}table5_small"),
+        table6=computed(added_mass.run, "added_mass"),
+    )
