@@ -4,7 +4,7 @@ Two vertical fences, one ahead of the bow and one behind the stern, bound the pa
 Below the hull every corner of its convex hull has a point of the bottom under it that follows
 along the bottom, so that the strips between stay trapezoids for any position clear of the bottom.
 Steep parts of bow and stern fan out to a point of the water line that follows the wall's foot,
-over a helper that moves with the hull where they have several edges. Pockets of a hull that is
+over a helper that moves with the hull and so sees every edge for good. Pockets of a hull that is
 not convex are triangles of hull points alone: they move rigidly. Outside of the fences nothing
 moves.
 """
@@ -26,6 +26,8 @@ _STEEP = 1.0 + 1e-9
 _FENCE = 2.0
 """Distance between hull and fence over H, where the channel is that long."""
 
+_INSIDE = 0.6
+"""Distance between hull and helper, at most, over that to the water line's follower."""
 _ASIDE, _APART, _OPEN = 1.2, 0.35, 0.4
 """Distance between hull and the water line's follower: over the depth of the steep part, over H,
 and at most over that to the fence."""
@@ -152,7 +154,7 @@ def _end(
     keel = steep[-1]
     fan = [(floor[j], keel, floor[j + 1]) for j in range(len(floor) - 1)]
     near = _surface(zones, steep, outermost, x, level)
-    hub = _helper(zones, side, steep)
+    hub = _helper(zones, side, steep, abs(zones.points[near][0] - outermost))
     if hub is None:
         path = [foot, keel, *steep[-2::-1], water]
         fan += [(path[j], path[j + 1], near) for j in range(len(path) - 1)]
@@ -174,13 +176,13 @@ def _surface(zones: Zones, steep: list[int], outermost: float, fence: float, lev
     return zones.add(np.array([x, level]), BED, steep[0])
 
 
-def _helper(zones: Zones, side: int, steep: list[int]) -> int | None:
-    """A point that moves with the hull and sees all of a steep end of two edges or more."""
-    if len(steep) < 3:
+def _helper(zones: Zones, side: int, steep: list[int], room: float) -> int | None:
+    """A point that moves with the hull, within `room` [m] of it, and sees all of a steep end."""
+    if len(steep) < 2:
         return None
     points = zones.rest[steep]
     height = float(np.ptp(points[:, 1]))
-    x = side * (side * points[:, 0]).max() + side * height
+    x = side * (side * points[:, 0]).max() + side * min(height, _INSIDE * room)
     hub = np.array([x, (points[:, 1].min() + points[:, 1].max()) / 2])
     seen = cross(points[1:], points[:-1], hub) * -side
     return zones.add(hub, RIGID) if np.all(seen > 0) else None
@@ -206,6 +208,6 @@ def _check(zones: Zones) -> None:
     areas = cross(*(zones.rest[list(i)] for i in zip(*zones.triangles, strict=True)))
     if areas.min() <= 0:
         raise InputError(
-            "channel.bottom: too rough for a moving submesh around this hull; "
-            "move its points away from bow and stern"
+            "channel: no moving submesh fits around this hull; move In and Out (channel.upstream, "
+            "channel.downstream) or the points of channel.bottom away from bow and stern"
         )

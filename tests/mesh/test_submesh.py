@@ -141,3 +141,23 @@ def test_one_triangle_may_not_straddle_two_zones_and_the_area_is_whole():
         a, b, c = (fine.points[i] for i in fine.triangles.T)
         total = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]).sum() / 2
         assert total == pytest.approx(140 * 20 - hull(name).outline.area, rel=1e-12)
+
+
+FEATURES = {"chamfered_box": "chamfer", "rounded_box": "radius"}
+
+
+@pytest.mark.parametrize("length", [8.0, 20.0, 100.0])
+@pytest.mark.parametrize("draft", [2.0, 5.0, 12.0])
+@pytest.mark.parametrize("name", NAMES[1:])
+def test_other_proportions_keep_their_orientation_too(name, draft, length):
+    size = f"{FEATURES.get(name, 'wall')}={min(draft, length / 2) / 5}"
+    keys = f"hull.length={length}", f"hull.draft={draft}", f"hull.{size}"
+    coarse = submesh(hull(name, *keys), Channel(depth=20.0, upstream=40.0, downstream=30.0))
+    random = np.random.default_rng(20)
+    for fractions in random.uniform(0, 1, (40, 3)):
+        q = position(coarse, *fractions)
+        try:
+            vertices = coarse.positions(q)
+        except GroundedError:  # long hulls cannot pitch by five degrees at any heave
+            continue
+        assert coarse.areas(vertices).min() > 0
