@@ -8,8 +8,8 @@ from squat.records import read
 @pytest.mark.parametrize(
     ("arguments", "line"),
     [
-        ([], "squat: task: missing; give task=NAME, one of equilibria,"),
-        (["task=foo"], "squat: task=foo: unknown; give one of equilibria,"),
+        ([], "squat: task: missing; give task=NAME, one of added_mass,"),
+        (["task=foo"], "squat: task=foo: unknown; give one of added_mass,"),
         (["task=piston", "pistn.x=2"], "squat: pistn.x=2: unknown key;"),
         (["task=piston", "+pistn.x=2"], "squat: pistn={'x': 2}: unknown key;"),
         (["task=piston", "piston.mass_ratio=0"], "squat: piston.mass_ratio=0: must be greater"),
@@ -19,8 +19,8 @@ from squat.records import read
         (["task=piston", "accelerator=foo"], "squat: accelerator=foo: unknown; give one of"),
         (["task=piston", "piston.length=${no}"], "squat: Interpolation key 'no' not found"),
         (["task=equilibria", "hull.draft=25"], "squat: hull.draft=25: must be less than"),
-        (["task=table", "number=2", "data=no.nc"], "squat: no.nc: no such file;"),
-        (["task=table", "data=no.nc"], "squat: number: missing; give number=VALUE"),
+        (["task=table", "name=table2", "data=no.nc"], "squat: no.nc: no such file;"),
+        (["task=table", "data=no.nc"], "squat: name: missing; give name=VALUE"),
         (["--nonsense"], "squat: unrecognized arguments: --nonsense;"),
     ],
 )
