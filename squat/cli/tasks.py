@@ -8,7 +8,7 @@ from typing import Any
 
 import xarray as xr
 
-from squat import analysis, figures, piston, records
+from squat import analysis, figures, piston, records, transient
 from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
@@ -53,8 +53,12 @@ def run_task(valid: Valid, folder: Path) -> None:
         write(valid.case, path)
         _log.info("%s: written", path)
         return
-    dataset = DATASETS[task](valid.case)
-    records.save(dataset, path, valid.config, started)
+    if task == "transient":
+        dataset, fields = transient.run(valid.case)
+        groups = {} if fields is None else {"fields": fields}
+    else:
+        dataset, groups = DATASETS[task](valid.case), {}
+    records.save(dataset, path, valid.config, started, groups)
     _log.info("%s: written%s", path, _headline(dataset))
 
 

@@ -19,6 +19,7 @@ from squat.mesh.case import MeshCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
 from squat.stability.run import EquilibriaCase
+from squat.transient import TransientCase
 
 CASES: dict[str, type] = {
     "piston": PistonCase,
@@ -28,6 +29,7 @@ CASES: dict[str, type] = {
     "added_mass": AddedMassCase,
     "inertia": InertiaCase,
     "sensitivity": SensitivityCase,
+    "transient": TransientCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

@@ -47,6 +47,8 @@ class Limits:
         Least distance [m] between hull and the fixed part of the mesh.
     clearance
         Least height of the hull over the bottom at rest [m].
+    fraction
+        Least clearance over that at rest: closer, the ship counts as grounded.
     """
 
     draft: float
@@ -54,6 +56,7 @@ class Limits:
     level: float
     reach: float
     clearance: float
+    fraction: float = CLEARANCE
 
     def check(self, q: Vector, hull: Vector, clearance: float) -> None:
         """Raise PositionError unless q is admissible.
@@ -74,10 +77,10 @@ class Limits:
             raise PositionError(f"surge={surge:g}: must be within {SURGE * self.reach:g} m")
         if abs(pitch) > PITCH * (1 + 1e-12):
             raise PositionError(f"pitch={pitch:g}: must be within {PITCH:.6g} rad (5 degrees)")
-        if clearance < CLEARANCE * self.clearance * (1 - 1e-12):
+        if clearance < self.fraction * self.clearance * (1 - 1e-12):
             raise GroundedError(
                 f"heave={heave:g} pitch={pitch:g}: grounded, clearance {clearance:.4g} m "
-                f"is less than {CLEARANCE:g} of {self.clearance:g} m at rest"
+                f"is less than {self.fraction:g} of {self.clearance:g} m at rest"
             )
         if heave > self.draft / 2 * (1 + 1e-12):
             raise LiftedError(f"heave={heave:g}: must be at most draft/2={self.draft / 2:g}")

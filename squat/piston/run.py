@@ -5,9 +5,9 @@ import xarray as xr
 
 from squat.coupling import State, Step, march
 from squat.piston.case import PistonCase
-from squat.quantities import Vector
 from squat.records import build
 from squat.records.kinds import PISTON
+from squat.records.padding import padded
 
 
 def steps(case: PistonCase) -> list[Step]:
@@ -45,11 +45,3 @@ def run(case: PistonCase) -> xr.Dataset:
         "time_step": case.dt,
     }
     return build(PISTON, data, {"status": taken[-1].status, "scheme": case.scheme})
-
-
-def padded(rows: list[Vector]) -> Vector:
-    """Rows of unequal length as one array, shape (rows, longest), NaN where a row has ended."""
-    table = np.full((len(rows), max(map(len, rows))), np.nan)
-    for line, row in zip(table, rows, strict=True):
-        line[: len(row)] = row
-    return table

@@ -15,6 +15,8 @@ from squat.records import provenance
 from squat.records.kinds import KINDS
 from squat.records.schema import Kind
 
+_PACKED = {"zlib": True, "complevel": 4, "shuffle": True, "_FillValue": None}
+
 
 @contextmanager
 def atomic(path: Path) -> Iterator[Path]:
@@ -52,7 +54,13 @@ def _finish(temporary: Path, path: Path) -> None:
     temporary.replace(path)
 
 
-def save(dataset: xr.Dataset, path: Path, config: Mapping[str, Any], started: float) -> None:
+def save(
+    dataset: xr.Dataset,
+    path: Path,
+    config: Mapping[str, Any],
+    started: float,
+    groups: Mapping[str, xr.Dataset] | None = None,
+) -> None:
     """Write `dataset` to `path` with provenance, or leave nothing behind.
 
     Parameters
@@ -63,12 +71,17 @@ def save(dataset: xr.Dataset, path: Path, config: Mapping[str, Any], started: fl
         The resolved configuration of the run.
     started
         `time.perf_counter()` [s] when the run began.
+    groups
+        Snapshots, each written compressed into the group of its name.
     """
     stamped = dataset.assign_attrs(provenance.attributes(config, started))
     stamped.attrs["content_sha256"] = provenance.digest(dataset)
     no_fill = {name: {"_FillValue": None} for name in stamped.variables}
     with atomic(path) as temporary:
         stamped.to_netcdf(temporary, engine="h5netcdf", encoding=no_fill)
+        for name, group in (groups or {}).items():
+            packed = dict.fromkeys(group.data_vars, _PACKED)
+            group.to_netcdf(temporary, engine="h5netcdf", group=name, mode="a", encoding=packed)
 
 
 def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
@@ -98,6 +111,16 @@ def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
     if dataset.attrs.get("content_sha256") != provenance.digest(dataset):
         raise InputError(f"{path}: altered since it was written; write it again")
     return dataset
+
+
+def read_group(path: Path, name: str) -> xr.Dataset:
+    """Snapshots in the group `name` of a dataset that `read` accepts."""
+    read(path)
+    try:
+        with xr.open_dataset(path, engine="h5netcdf", group=name) as file:
+            return file.load()
+    except OSError as error:
+        raise InputError(f"{path}: holds no group {name!r}; run with snapshots=1") from error
 
 
 def _kind(dataset: xr.Dataset, path: Path) -> Kind:

@@ -195,5 +195,39 @@ SENSITIVITY = Kind(
     ("recommended_size", "recommended_distance", "tolerance"),
 )
 
-_ALL = (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY)
+TRANSIENT = Kind(
+    "transient",
+    1,
+    "Coupled motion of a ship in a current",
+    {
+        "time": Variable(_TIME, "s", "time of the accepted steps"),
+        "phase": Variable(_TIME, "1", "omega t, the paper's axis"),
+        "heave": Variable(_TIME, "m", "heave w, positive up"),
+        "heave_velocity": Variable(_TIME, "m s-1", "heave velocity"),
+        "heave_acceleration": Variable(_TIME, "m s-2", "heave acceleration"),
+        "fluid_force": Variable(_TIME, "N m-1", "force of the water, Eq. (15), without weight"),
+        "iterations": Variable(_TIME, "1", "structure solves of the step"),
+        "contraction": Variable(_TIME, "1", "measured contraction factor of the iteration"),
+        "predicted_contraction": Variable(_TIME, "1", "amplification factor G at this position"),
+        "residual": Variable(("time", "iteration"), "m", "|w^{k+1} - w^k| of every iteration"),
+        "failed_residual": Variable(
+            ("failed_iteration",), "m", "residuals of the step that did not converge"
+        ),
+        "failed_contraction": Variable((), "1", "contraction of the step that did not converge"),
+        "kinetic_energy": Variable(_TIME, "J m-1", "E_c = m w'^2/2 of the ship"),
+        "potential_energy": Variable(_TIME, "J m-1", "E_p = m g (T + w) of the ship"),
+        "fluid_work": Variable(_TIME, "J m-1", "W = -int w' F dt, work of the ship on the water"),
+        "fluid_inertia": Variable(_TIME, "kg m-1", "c(w), inertia of the water in heave"),
+        "hull_pressure": Variable(("time", "hull_node"), "Pa", "pressure less atmospheric"),
+        "hull_x": Variable(("hull_node",), "m", "x of the hull's nodes at rest, from the bow"),
+        "hull_z": Variable(("hull_node",), "m", "z of the hull's nodes at rest, from the bottom"),
+        "added_mass": Variable((), "kg m-1", "m_add of Eq. (23) at w = 0"),
+        "ship_mass": Variable((), "kg m-1", "mass of the displaced water"),
+        "time_step": Variable((), "s", "time step"),
+        "omega": Variable((), "rad s-1", "angular frequency of Eq. (5) with rho g L for 2 rho g S"),
+    },
+    ("status", "coupling", "current", "free_surface"),
+)
+
+_ALL = (PISTON, ITERATIONS, EQUILIBRIA, MESH, ADDED_MASS, INERTIA, SENSITIVITY, TRANSIENT)
 KINDS = {kind.name: kind for kind in _ALL}

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from pydantic import TypeAdapter
 
 import squat
 
@@ -60,6 +61,18 @@ def attributes(config: Mapping[str, Any], started: float) -> dict[str, str | flo
         "git_revision": revision(),
         "wall_time": round(time.perf_counter() - started, 6),
     }
+
+
+def config_of(dataset: xr.Dataset) -> dict[str, Any]:
+    """Configuration that `dataset` was made with, as plain containers."""
+    found = json.loads(dataset.attrs["config"])
+    assert isinstance(found, dict)
+    return found
+
+
+def plain(value: Any) -> Any:
+    """Dataclasses and tuples as a configuration's JSON has them."""
+    return json.loads(json.dumps(TypeAdapter(type(value)).dump_python(value, mode="json")))
 
 
 def digest(dataset: xr.Dataset) -> str:

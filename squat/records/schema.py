@@ -74,6 +74,7 @@ def build(
         for name, values in data.items()
     }
     coordinates = {name for name in variables if (name,) == variables[name].dims}
+    coordinates |= {name for name in ("phase",) if name in variables}
     dataset = xr.Dataset(
         {name: value for name, value in variables.items() if name not in coordinates},
         {name: variables[name] for name in coordinates},

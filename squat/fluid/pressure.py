@@ -1,0 +1,103 @@
+"""Unsteady pressure on the moving hull, Eqs. (20) and (21), and its integrals."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from squat.mesh import MODES, Mesh
+from squat.mesh.motion import Index
+from squat.quantities import Vector
+from squat.water import Water
+
+if TYPE_CHECKING:
+    from squat.fluid.potential import Flow
+
+# Two Gauss points an edge: exact for the product of two linear functions.
+_POINTS = 0.5 + np.array([-0.5, 0.5]) / np.sqrt(3)
+_SHAPE = np.stack([1 - _POINTS, _POINTS], axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class HullPressure:
+    """Pressure on the hull's edges from P1 potentials: grad phi is constant beside each edge."""
+
+    mesh: Mesh
+    water: Water
+
+    @cached_property
+    def edges(self) -> Index:
+        """Nodes (k, 2) of the hull's edges, the water on their left."""
+        return self.mesh.boundary["Ship"]
+
+    @cached_property
+    def beside(self) -> Index:
+        """Nodes (k, 3) of the triangle beside each edge."""
+        owner = {}
+        for triangle in self.mesh.triangles.tolist():
+            for i in range(3):
+                owner[triangle[i], triangle[(i + 1) % 3]] = triangle
+        return np.array([owner[tuple(edge)] for edge in self.edges.tolist()])
+
+    @cached_property
+    def nodes(self) -> Index:
+        """Nodes on the hull, from the bow's water line point to the stern's."""
+        after = dict(self.edges.tolist())
+        first = (set(after) - set(after.values())).pop()
+        chain = [first]
+        while chain[-1] in after:
+            chain.append(after[chain[-1]])
+        return np.array(chain)
+
+    def at_points(
+        self, flow: "Flow", rate: Vector, current: float
+    ) -> tuple[Vector, Vector, Vector]:
+        """Pressure less p_atm (k, 2) [Pa], places (k, 2, 2), and normals by length (k, 2)."""
+        moved = self.mesh.moved(flow.position)
+        mesh_velocity = np.tensordot(flow.velocity, self.mesh.velocities(flow.position), axes=1)
+        gradient = gradients(moved[self.beside], flow.potential[self.beside])
+        ends = moved[self.edges]
+        places = np.einsum("gi,kid->kgd", _SHAPE, ends)
+        carried = np.einsum("gi,kid,kd->kg", _SHAPE, mesh_velocity[self.edges], gradient)
+        unsteady = rate[self.edges] @ _SHAPE.T - carried
+        rho, g = self.water.density, self.water.gravity
+        speed = (gradient**2).sum(axis=1)
+        head = g * (self.mesh.submesh.limits.level - places[..., 1])
+        pressure = rho * (head + (current**2 - speed[:, None]) / 2 - unsteady)
+        dx, dz = (ends[:, 1] - ends[:, 0]).T
+        return pressure, places, np.stack([dz, -dx], axis=1)
+
+    def force(self, flow: "Flow", rate: Vector, current: float) -> Vector:
+        """Integral of (p - p_atm) V_i . n over the hull, shape (n,) [N/m]."""
+        pressure, places, normal = self.at_points(flow, rate, current)
+        arm = places - self.mesh.submesh.center(flow.position)
+        fields = {
+            "surge": np.broadcast_to([1.0, 0.0], arm.shape),
+            "heave": np.broadcast_to([0.0, 1.0], arm.shape),
+            "pitch": np.stack([-arm[..., 1], arm[..., 0]], axis=-1),
+        }
+        along = [
+            np.einsum("kg,kgd,kd->", pressure, fields[mode], normal) / 2
+            for mode in MODES
+            if mode in self.mesh.submesh.modes
+        ]
+        return np.array(along)
+
+    def nodal(self, flow: "Flow", rate: Vector, current: float) -> Vector:
+        """Pressure less p_atm at `nodes`: mean of the edges that meet there [Pa]."""
+        pressure, _, _ = self.at_points(flow, rate, current)
+        # The linear function through both Gauss points, at the edge's ends.
+        ends = pressure @ np.linalg.inv(_SHAPE).T
+        size = len(self.mesh.points)
+        total = np.bincount(self.edges.ravel(), ends.ravel(), minlength=size)
+        count = np.bincount(self.edges.ravel(), minlength=size)
+        return np.asarray(total[self.nodes] / count[self.nodes])
+
+
+def gradients(corners: Vector, values: Vector) -> Vector:
+    """Gradient (k, 2) of the linear function with `values` (k, 3) at `corners` (k, 3, 2)."""
+    (ax, az), (bx, bz) = ((corners[:, i] - corners[:, 0]).T for i in (1, 2))
+    da, db = values[:, 1] - values[:, 0], values[:, 2] - values[:, 0]
+    area = ax * bz - az * bx
+    return np.stack([(da * bz - db * az) / area, (db * ax - da * bx) / area], axis=1)

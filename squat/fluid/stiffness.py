@@ -1,0 +1,110 @@
+"""K(q) phi = r at one position after another: assembly and factorisation that remember.
+
+Between neighbouring positions K changes little. A factor is kept and serves as preconditioner of
+conjugate gradients, started from the last solutions, until that takes more than a few iterations.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.linalg import SuperLU, splu
+
+from squat.fem import AffineStiffness, SolveError
+from squat.mesh.motion import Index
+from squat.quantities import Vector
+
+TOLERANCE = 1e-13
+"""Relative residual of a solution."""
+_PATIENCE = 7
+"""Iterations after which a new factor is cheaper than the old one's help."""
+
+
+@dataclass(eq=False)
+class MovingSolver:
+    """Solves with K(q) and zero values on `fixed`; remembers its last factor.
+
+    Answers depend on what was asked before only within `TOLERANCE`.
+    """
+
+    affine: AffineStiffness
+    fixed: Index
+    solves: int = 0
+    factorisations: int = 0
+    residual: float = 0.0
+    _factor: SuperLU | None = field(default=None, repr=False)
+
+    @cached_property
+    def free(self) -> Index:
+        """Degrees of freedom that are solved for."""
+        return np.setdiff1d(np.arange(self.affine.space.size), self.fixed)
+
+    @cached_property
+    def _inner(self) -> tuple[sparse.csc_array, Index]:
+        """Pattern of the free block, and where its data lie in those of the whole."""
+        whole = self.affine.matrix(np.zeros(self.affine.terms))
+        numbered = sparse.csc_array(
+            (np.arange(1, whole.nnz + 1), whole.indices, whole.indptr), shape=whole.shape
+        )
+        block = sparse.csc_array(numbered[self.free][:, self.free])
+        return block, block.data.astype(np.int64) - 1
+
+    def matrix(self, theta: Vector) -> sparse.csc_array:
+        """Free block of sum theta_j K_j."""
+        block, place = self._inner
+        data = self.affine.matrix(theta).data[place]
+        return sparse.csc_array((data, block.indices, block.indptr), shape=block.shape)
+
+    def solve(self, theta: Vector, load: Vector, guess: Vector | None = None) -> Vector:
+        """Potential (size,) for `load` (size,), starting from `guess` (size,).
+
+        Raises
+        ------
+        SolveError
+            Where the system is singular or the residual stays large.
+        """
+        matrix, right = self.matrix(theta), load[self.free]
+        start = np.zeros(len(self.free)) if guess is None else guess[self.free]
+        x = self._iterate(matrix, right, start)
+        if x is None:
+            self._factor = self._factorise(matrix)
+            x = self._iterate(matrix, right, self._factor.solve(right))
+        if x is None:
+            raise SolveError("ill-conditioned system: conjugate gradients stall on a new factor")
+        self.solves += 1
+        out = np.zeros(len(load))
+        out[self.free] = x
+        return out
+
+    def _factorise(self, matrix: sparse.csc_array) -> SuperLU:
+        self.factorisations += 1
+        if not np.all(np.isfinite(matrix.data)):
+            raise SolveError("stiffness is not finite: a triangle of the mesh is flat")
+        options = {"SymmetricMode": True}
+        try:
+            return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+        except RuntimeError as error:
+            raise SolveError(
+                "singular system: the mesh is not tied to its Dirichlet set"
+            ) from error
+
+    def _iterate(self, matrix: sparse.csc_array, right: Vector, x: Vector) -> Vector | None:
+        """Preconditioned conjugate gradients; None where patience ends."""
+        if self._factor is None:
+            return None
+        scale = float(np.sqrt(right @ right)) or 1.0
+        r = right - matrix @ x
+        p, old = np.zeros_like(r), 1.0
+        for _ in range(_PATIENCE):
+            self.residual = float(np.sqrt(r @ r)) / scale
+            if self.residual <= TOLERANCE:
+                return x
+            z = self._factor.solve(r)
+            new = float(r @ z)
+            p = z + (new / old) * p
+            q = matrix @ p
+            alpha = new / float(p @ q)
+            x, r, old = x + alpha * p, r - alpha * q, new
+        self.residual = float(np.sqrt(r @ r)) / scale
+        return x if self.residual <= 10 * TOLERANCE else None

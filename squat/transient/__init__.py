@@ -1,0 +1,6 @@
+"""The coupled run of ship and water: Algorithm 2 and its kin."""
+
+from squat.transient.case import TransientCase
+from squat.transient.run import run
+
+__all__ = ["TransientCase", "run"]

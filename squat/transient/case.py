@@ -1,0 +1,105 @@
+"""One coupled run as a whole: ship, channel, current, and how to couple and integrate."""
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+
+from squat.channel import AnyHull, Channel
+from squat.coupling import Accelerator, Criterion, PredictorName, SchemeName
+from squat.dynamics import IntegratorName, TimeGrid
+from squat.fluid.accuracy import Accuracy
+from squat.fluid.potential import FreeSurface
+from squat.fluid.rates import RateName
+from squat.mesh import MeshSize
+from squat.quantities import STRICT, Fraction, Position, Speed
+from squat.water import Water
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class CouplingChoice:
+    """A named set of the loop's slots (`conf/coupling/`).
+
+    Parameters
+    ----------
+    name
+        What the record calls it.
+    scheme
+        `standard` or `corrected` with m_add of Eq. (23) at w = 0.
+    integrator
+        Form of w' and w'', see squat/dynamics/integrators.py.
+    potential_rate
+        Form of d phi/dt at a node, see squat/fluid/rates.py.
+    start
+        `rest`: no acceleration before t = 0; `balanced`: released in balance with its inertia.
+    """
+
+    name: str
+    scheme: SchemeName
+    integrator: IntegratorName
+    potential_rate: RateName
+    predictor: PredictorName
+    accelerator: Annotated[Accelerator, Field(discriminator="name")]
+    criterion: Criterion
+    start: Literal["rest", "balanced"]
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Inputs:
+    """Files of earlier tasks; None: the run makes what it lacks.
+
+    Parameters
+    ----------
+    mesh
+        Dataset of task=mesh for the same hull, channel and mesh.
+    added_mass
+        Dataset of task=added_mass under zero pressure for the same hull and channel.
+    equilibria
+        Dataset of task=equilibria, for the roots drawn beside the run.
+    """
+
+    mesh: str | None
+    added_mass: str | None
+    equilibria: str | None
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class TransientCase:
+    """The ship of section 3.6, or another, set free in a current.
+
+    Parameters
+    ----------
+    current
+        V_inf [m/s].
+    initial_heave
+        w(0) [m]; the ship is at rest.
+    grounding
+        Least clearance over that at rest; closer, a converged step counts as grounded.
+    snapshots
+        Steps between two snapshots of the whole field; 0: none.
+    """
+
+    hull: AnyHull
+    channel: Channel
+    water: Water
+    mesh: MeshSize
+    accuracy: Accuracy
+    current: Speed
+    free_surface: FreeSurface
+    time: TimeGrid
+    coupling: CouplingChoice
+    initial_heave: Position
+    grounding: Fraction
+    snapshots: Annotated[int, Field(strict=True, ge=0)]
+    inputs: Inputs
+
+    @property
+    def mass(self) -> float:
+        """Ship mass per unit width [kg/m]."""
+        return self.water.density * self.hull.outline.area
+
+    def omega(self, added_mass: float) -> float:
+        """Eq. (5) with rho g L for 2 rho g S: angular frequency [rad/s] of the time scale."""
+        stiffness = self.water.density * self.water.gravity * self.hull.outline.length
+        return math.sqrt(stiffness / (self.mass + added_mass))

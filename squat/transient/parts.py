@@ -1,0 +1,94 @@
+"""What a run needs before it starts: mesh, added mass, loop."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+from squat import records
+from squat.coupling import PREDICTORS, Coupling, corrected, standard
+from squat.dynamics import INTEGRATORS, RigidBody
+from squat.errors import InputError
+from squat.fluid.accuracy import accurate
+from squat.fluid.potential import PotentialFluid
+from squat.fluid.rates import RATES
+from squat.mesh import Mesh, submesh
+from squat.mesh.generate import generate
+from squat.mesh.ugrid import from_dataset
+from squat.records.kinds import ADDED_MASS, MESH
+from squat.records.schema import Kind
+from squat.transient.case import TransientCase
+from squat.transient.problem import ShipProblem
+
+MODES = ("heave",)
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The pieces of one run; `added_mass` is m_add [kg/m] of (23) at w = 0."""
+
+    problem: ShipProblem
+    coupling: Coupling
+    added_mass: float
+    omega: float
+    dt: float
+
+
+def prepare(case: TransientCase) -> Parts:
+    """Mesh, added mass and loop of `case`, from its input files where given."""
+    mass = case.mass
+    body = RigidBody(MODES, mass, 0.0, case.water.gravity)
+    fluid = PotentialFluid(load_mesh(case), case.water, case.free_surface, case.current)
+    problem = ShipProblem(body, fluid, RATES[case.coupling.potential_rate])
+    added = load_added_mass(case)
+    omega = case.omega(added)
+    return Parts(problem, _coupling(case, body, added), added, omega, case.time.step(omega))
+
+
+def _coupling(case: TransientCase, body: RigidBody, added_mass: float) -> Coupling:
+    choice = case.coupling
+    plain = choice.scheme == "standard"
+    m_add = np.array([[added_mass]])
+    scheme = standard(body.matrix) if plain else corrected(body.matrix, m_add)
+    return Coupling(
+        lambda motion: scheme,
+        INTEGRATORS[choice.integrator],
+        choice.accelerator,
+        PREDICTORS[choice.predictor],
+        choice.criterion,
+    )
+
+
+def load_mesh(case: TransientCase) -> Mesh:
+    """The mesh of the input file, or a new one."""
+    if case.inputs.mesh is None:
+        return generate(submesh(case.hull, case.channel, MODES), case.mesh)
+    data = _input(case.inputs.mesh, MESH, case, ("hull", "channel", "mesh"))
+    return from_dataset(data, MODES)
+
+
+def load_added_mass(case: TransientCase) -> float:
+    """Heave added mass [kg/m] of Eq. (23) at w = 0, extrapolated."""
+    if case.inputs.added_mass is None:
+        value, _ = accurate(case.hull, case.channel, case.accuracy, "zero_pressure")
+        return case.water.density * float(value[1, 1])
+    data = _input(case.inputs.added_mass, ADDED_MASS, case, ("hull", "channel", "water"))
+    if data.attrs["free_surface"] != "zero_pressure":
+        raise InputError(
+            f"inputs.added_mass={case.inputs.added_mass}: computed with free_surface="
+            f"{data.attrs['free_surface']}; give one with zero_pressure, Eq. (23)"
+        )
+    return float(data["added_mass"].sel(mode_i="heave", mode_j="heave"))
+
+
+def _input(name: str, kind: Kind, case: TransientCase, parts: tuple[str, ...]) -> xr.Dataset:
+    """Dataset of an earlier task, refused where it was made for another geometry."""
+    data = records.read(Path(name), kind)
+    made = records.config_of(data)
+    for part in parts:
+        if made[part] != records.plain(getattr(case, part)):
+            raise InputError(
+                f"inputs.{kind.name}={name}: made for another {part}; make it again for this one"
+            )
+    return data

@@ -1,0 +1,64 @@
+"""Snapshots of the whole field, derived from the states of a run."""
+
+import numpy as np
+import xarray as xr
+
+from squat.coupling import State
+from squat.fluid.pressure import gradients
+from squat.quantities import Vector
+from squat.transient.parts import Parts
+
+_ATTRIBUTES = {
+    "time": ("s", "time of the snapshot"),
+    "x": ("m", "x of the moved nodes"),
+    "z": ("m", "z of the moved nodes"),
+    "potential": ("m2 s-1", "velocity potential phi"),
+    "velocity_x": ("m s-1", "water velocity along x, mean of the triangles at a node"),
+    "velocity_z": ("m s-1", "water velocity along z, mean of the triangles at a node"),
+    "pressure": ("Pa", "pressure less atmospheric, Eq. (20)"),
+    "face_node": ("1", "nodes of each triangle, from 0"),
+}
+
+
+def fields(parts: Parts, states: list[State], interval: int) -> xr.Dataset:
+    """Coordinates, potential, velocity and pressure of every `interval`-th step, float32."""
+    chosen = list(range(0, len(states), interval))
+    rows = [_snapshot(parts, states[n]) for n in chosen]
+    node = ("time", "node")
+    data = {
+        name: (node, np.array([row[name] for row in rows], dtype=np.float32)) for name in rows[0]
+    }
+    dataset = xr.Dataset(
+        {**data, "face_node": (("face", "corner"), parts.problem.fluid.mesh.triangles)},
+        {"time": parts.dt * np.array(chosen)},
+    )
+    for name, (units, long_name) in _ATTRIBUTES.items():
+        dataset[name].attrs.update(units=units, long_name=long_name)
+    return dataset
+
+
+def _snapshot(parts: Parts, state: State) -> dict[str, Vector]:
+    fluid = parts.problem.fluid
+    mesh, motion, memory = fluid.mesh, state.motion, state.memory
+    points = mesh.moved(motion.position)
+    slopes = gradients(points[mesh.triangles], memory.now[mesh.triangles])
+    count = np.bincount(mesh.triangles.ravel(), minlength=len(points))
+    speed = np.stack(
+        [
+            np.bincount(mesh.triangles.ravel(), np.repeat(slope, 3), minlength=len(points)) / count
+            for slope in slopes.T
+        ]
+    )
+    carried = np.tensordot(motion.velocity, mesh.velocities(motion.position), axes=1)
+    unsteady = memory.rate - (carried * speed.T).sum(axis=1)
+    rho, g = fluid.water.density, fluid.water.gravity
+    head = g * (mesh.submesh.limits.level - points[:, 1])
+    pressure = rho * (head + (fluid.current**2 - (speed**2).sum(axis=0)) / 2 - unsteady)
+    return {
+        "x": points[:, 0],
+        "z": points[:, 1],
+        "potential": memory.now,
+        "velocity_x": speed[0],
+        "velocity_z": speed[1],
+        "pressure": pressure,
+    }
