@@ -8,7 +8,7 @@ import sys
 
 sys.path.insert(0, workflow.basedir)
 
-from workflows.graph import caption, configured
+from workflows.graph import caption, cases, configured
 
 RESULTS = config.get("results", "results")
 CASES = config.get("cases", "paper")
@@ -22,6 +22,7 @@ include: "workflows/rules/piston.smk"
 include: "workflows/rules/equilibria.smk"
 include: "workflows/rules/mesh.smk"
 include: "workflows/rules/added_mass.smk"
+include: "workflows/rules/transient.smk"
 include: "workflows/rules/analysis.smk"
 include: "workflows/rules/figures.smk"
 include: "workflows/rules/report.smk"

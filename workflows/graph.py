@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 from squat.config import compose
 
@@ -15,6 +16,13 @@ def configured(task: str, *overrides: str) -> str:
     a value that the task depends on has changed.
     """
     return json.dumps(compose(task, *overrides), sort_keys=True)
+
+
+def cases(group: str, choice: str) -> dict[str, list[Any]]:
+    """A list of cases from `conf/cases/<group>/<choice>.yaml`."""
+    found = compose("transient", f"+cases/{group}@cases={choice}")["cases"]
+    assert isinstance(found, dict)
+    return found
 
 
 def caption(name: str) -> str:

@@ -20,6 +20,19 @@ class Sources(NamedTuple):
     table4: xr.Dataset
     table5: xr.Dataset
     table6: xr.Dataset
+    transients: tuple[xr.Dataset, ...]
+
+    def run(self, coupling: str, current: float) -> xr.Dataset | None:
+        """The coupled run of that name at that current, or None."""
+        for data in self.transients:
+            if data.attrs["coupling"] == coupling and data.attrs["current"] == current:
+                return data
+        return None
+
+    def runs(self, coupling: str) -> list[xr.Dataset]:
+        """The coupled runs of that name with a current, slowest first."""
+        found = [d for d in self.transients if d.attrs["coupling"] == coupling]
+        return sorted((d for d in found if d.attrs["current"] > 0), key=_current)
 
 
 class Finding(NamedTuple):
@@ -29,6 +42,10 @@ class Finding(NamedTuple):
     note: str = ""
     verdict: Verdict | None = None
     rounds_down: bool = False
+
+
+def _current(data: xr.Dataset) -> float:
+    return float(data.attrs["current"])
 
 
 Check = Callable[[Sources], Finding]

@@ -8,14 +8,14 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import published, records
-from squat.analysis import inertia_claims  # noqa: F401  (registers its checks)
+from squat.analysis import inertia_claims, transient_claims  # noqa: F401  (register their checks)
 from squat.analysis.claims import CHECKS, Finding, Sources
 from squat.analysis.pages import write_frame
 from squat.analysis.tables import TABLES
 from squat.analysis.verdict import Verdict, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
-from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS
+from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS, TRANSIENT
 
 COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
 _TABLE_COLUMNS = ("paper", "here", "difference", "verdict", "note")
@@ -37,6 +37,8 @@ class VerdictsCase:
         Datasets of task=inertia.
     table6
         Dataset of task=added_mass.
+    transients
+        Datasets of task=transient.
     """
 
     tables: Annotated[tuple[str, ...], Field(min_length=1)]
@@ -45,6 +47,7 @@ class VerdictsCase:
     table4: str
     table5: str
     table6: str
+    transients: Annotated[tuple[str, ...], Field(min_length=1)]
 
 
 def table_rows(path: Path) -> list[dict[str, Any]]:
@@ -99,6 +102,7 @@ def write_verdicts(case: VerdictsCase, path: Path) -> None:
         table4=records.read(Path(case.table4), INERTIA),
         table5=records.read(Path(case.table5), INERTIA),
         table6=records.read(Path(case.table6), ADDED_MASS),
+        transients=tuple(records.read(Path(name), TRANSIENT) for name in case.transients),
     )
     rows = [row for name in case.tables for row in table_rows(Path(name))]
     write_frame(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)

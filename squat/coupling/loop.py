@@ -110,13 +110,15 @@ def contraction(residuals: Vector) -> float:
     -----
     The least-squares g of r^{k+1} = g r^k over the iterates that the predictor no longer
     touches: it may start from a motion that does not satisfy the integrator (`hold` does),
-    so ratios count from the third iterate on.
+    so ratios count from the third iterate on. Residuals that have grown beyond the first of
+    these are left out: where the iteration diverges they are no longer small.
     """
-    before, after = residuals[1:-1], residuals[2:]
-    scale = np.abs(before).max(initial=0.0)
-    if scale == 0 or not np.isfinite(scale):
+    finite = residuals[np.isfinite(residuals).all(axis=1)]
+    before, after = finite[1:-1], finite[2:]
+    if len(before) == 0 or not (scale := float(np.linalg.norm(before[0]))) > 0:
         return float("nan")
-    before, after = before / scale, after / scale
+    small = np.linalg.norm(before, axis=1) <= scale
+    before, after = before[small] / scale, after[small] / scale
     return float(np.vdot(before, after) / np.vdot(before, before))
 
 

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Annotated
 
 import matplotlib as mpl
-import xarray as xr
 from matplotlib.figure import Figure
+from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import records
@@ -16,6 +17,7 @@ from squat.figures.equilibria import fig10
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.style import SETTINGS
+from squat.figures.transient import fig11, fig12, fig13
 from squat.quantities import STRICT
 from squat.records.kinds import (
     ADDED_MASS,
@@ -24,10 +26,11 @@ from squat.records.kinds import (
     ITERATIONS,
     MESH,
     SENSITIVITY,
+    TRANSIENT,
 )
 from squat.records.schema import Kind
 
-FIGURES: dict[str, tuple[Kind, Callable[[xr.Dataset], Figure]]] = {
+FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "fig10": (EQUILIBRIA, fig10),
     "iterations": (ITERATIONS, iterations),
     "fig3": (MESH, fig3),
@@ -38,6 +41,9 @@ FIGURES: dict[str, tuple[Kind, Callable[[xr.Dataset], Figure]]] = {
     "fig7": (ADDED_MASS, fig7),
     "fig9": (INERTIA, fig9),
     "sensitivity": (SENSITIVITY, sensitivity),
+    "fig11": (TRANSIENT, fig11),
+    "fig12": (TRANSIENT, fig12),
+    "fig13": (TRANSIENT, fig13),
 }
 
 
@@ -50,11 +56,11 @@ class FigureCase:
     figure
         Name of one of `FIGURES`.
     data
-        Path of the dataset.
+        Path of the dataset, or of several where the figure compares runs.
     """
 
     figure: str
-    data: str
+    data: str | Annotated[tuple[str, ...], Field(min_length=1)]
 
     def __post_init__(self) -> None:
         if self.figure not in FIGURES:
@@ -65,7 +71,8 @@ def write_figure(case: FigureCase, path: Path) -> None:
     """Write the figure to `path` (.png) and beside it as .svg."""
     kind, draw = FIGURES[case.figure]
     with mpl.rc_context(SETTINGS):
-        figure = draw(records.read(Path(case.data), kind))
+        paths = (case.data,) if isinstance(case.data, str) else case.data
+        figure = draw(*(records.read(Path(path), kind) for path in paths))
         for target in (path, path.with_suffix(".svg")):
             metadata = {"Date": None} if target.suffix == ".svg" else None
             with records.atomic(target) as temporary:

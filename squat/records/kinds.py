@@ -221,6 +221,8 @@ TRANSIENT = Kind(
         "hull_pressure": Variable(("time", "hull_node"), "Pa", "pressure less atmospheric"),
         "hull_x": Variable(("hull_node",), "m", "x of the hull's nodes at rest, from the bow"),
         "hull_z": Variable(("hull_node",), "m", "z of the hull's nodes at rest, from the bottom"),
+        "stable_root": Variable((), "m", "upper root of Eq. (27) at this current; NaN: none"),
+        "unstable_root": Variable((), "m", "lower root of Eq. (27) at this current; NaN: none"),
         "added_mass": Variable((), "kg m-1", "m_add of Eq. (23) at w = 0"),
         "ship_mass": Variable((), "kg m-1", "mass of the displaced water"),
         "time_step": Variable((), "s", "time step"),

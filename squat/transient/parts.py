@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -16,8 +17,9 @@ from squat.fluid.rates import RATES
 from squat.mesh import Mesh, submesh
 from squat.mesh.generate import generate
 from squat.mesh.ugrid import from_dataset
-from squat.records.kinds import ADDED_MASS, MESH
+from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH
 from squat.records.schema import Kind
+from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
 from squat.transient.problem import ShipProblem
 
@@ -80,6 +82,25 @@ def load_added_mass(case: TransientCase) -> float:
             f"{data.attrs['free_surface']}; give one with zero_pressure, Eq. (23)"
         )
     return float(data["added_mass"].sel(mode_i="heave", mode_j="heave"))
+
+
+class Roots(NamedTuple):
+    """Roots of Eq. (27) at the run's current [m]; NaN where there is none."""
+
+    stable: float
+    unstable: float
+
+
+def load_roots(case: TransientCase) -> Roots:
+    """Roots of (27), from the input file where it holds this current."""
+    if case.inputs.equilibria is not None:
+        data = _input(case.inputs.equilibria, EQUILIBRIA, case, ("hull", "channel", "water"))
+        here = data["case_speed"].values == case.current
+        if here.any():
+            return Roots(*(float(data[f"case_{name}"][here][0]) for name in Roots._fields))
+    model = OneDimensionalModel(case.hull, case.channel, case.water)
+    found = model.roots(case.current)
+    return Roots(float(found.stable), float(found.unstable))
 
 
 def _input(name: str, kind: Kind, case: TransientCase, parts: tuple[str, ...]) -> xr.Dataset:

@@ -52,7 +52,7 @@ class ShipProblem:
         """Start released: (M_s + c) q'' = net steady force; the potential's rate follows q''."""
         flow, net = self.steady(position)
         inertia = self.body.matrix + self.fluid.coefficients(position).c
-        acceleration = np.linalg.solve(inertia, net)
+        acceleration = np.asarray(np.linalg.solve(inertia, net), float)
         rate = acceleration @ self.fluid.unit_potentials(position)[1]
         before = flow.potential - dt * rate
         return Motion(position, np.zeros_like(position), acceleration), Levels(

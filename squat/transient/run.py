@@ -17,7 +17,7 @@ from squat.records.padding import padded
 from squat.transient.audit import energies
 from squat.transient.case import TransientCase
 from squat.transient.factors import predicted_contraction
-from squat.transient.parts import Parts, prepare
+from squat.transient.parts import Parts, load_roots, prepare
 from squat.transient.snapshots import fields
 
 
@@ -79,13 +79,15 @@ def _dataset(
     case: TransientCase, parts: Parts, states: list[State], done: list[Step], failed: Step | None
 ) -> xr.Dataset:
     heave, velocity, acceleration = (
-        np.concatenate(values) for values in zip(*(state.motion for state in states), strict=True)
+        np.asarray(np.concatenate(values), float)
+        for values in zip(*(state.motion for state in states), strict=True)
     )
-    time = parts.dt * np.arange(len(states))
+    time = np.asarray(parts.dt * np.arange(len(states)), float)
     pressures, forces = _on_hull(parts, states)
     hull = parts.problem.fluid.pressure.nodes
     points = parts.problem.fluid.mesh.points[hull]
     curves = _curves(case, parts)
+    roots = load_roots(case)
     data: dict[str, Any] = {
         "time": time,
         "phase": parts.omega * time,
@@ -104,6 +106,8 @@ def _dataset(
         "hull_pressure": pressures,
         "hull_x": points[:, 0],
         "hull_z": points[:, 1],
+        "stable_root": roots.stable,
+        "unstable_root": roots.unstable,
         "added_mass": parts.added_mass,
         "ship_mass": case.mass,
         "time_step": parts.dt,

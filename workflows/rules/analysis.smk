@@ -42,6 +42,7 @@ rule verdicts:
         table4=f"{ADDED_MASS}/table4.nc",
         table5=f"{ADDED_MASS}/table5.nc",
         table6=f"{ADDED_MASS}/table6.nc",
+        transients=TRANSIENTS,
     output:
         csv=f"{RESULTS}/tables/verdicts.csv",
         page=report(
@@ -56,9 +57,14 @@ rule verdicts:
         f"{RESULTS}/benchmarks/verdicts.tsv"
     params:
         tables=lambda wildcards, input: ",".join(f'"{name}"' for name in input.tables),
+        transients=lambda wildcards, input: ",".join(
+            f'"{name}"' for name in input.transients
+        ),
         data=lambda wildcards, input: " ".join(
-            f"'{name}=\"{path}\"'" for name, path in input.items() if name != "tables"
+            f"'{name}=\"{path}\"'"
+            for name, path in input.items()
+            if name not in ("tables", "transients")
         ),
     shell:
-        "squat task=verdicts 'tables=[{params.tables}]' {params.data} 'out=\"{output.csv}\"'"
+        "squat task=verdicts 'tables=[{params.tables}]' {params.data} 'transients=[{params.transients}]' 'out=\"{output.csv}\"'"
         " > {log:q} 2>&1"

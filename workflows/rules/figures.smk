@@ -7,6 +7,14 @@ FIGURES = {
     "fig8": rules.mesh.output[0],
     "fig9": f"{ADDED_MASS}/table5.nc",
     "fig10": rules.equilibria.output[0],
+    "fig11": [
+        f"{RESULTS}/transient/printed_{current}.nc" for current in RUNS["currents"]
+    ],
+    "fig12": f"{RESULTS}/transient/printed_{RUNS['currents'][0]}.nc",
+    "fig13": [
+        f"{RESULTS}/transient/printed_{current}.nc"
+        for current in RUNS["currents"][1::2]
+    ],
     "iterations": rules.iterations.output[0],
     "mesh_quality": rules.mesh.output[0],
     "sensitivity": f"{ADDED_MASS}/sensitivity.nc",
@@ -33,6 +41,7 @@ for FIGURE, SOURCE in FIGURES.items():
             f"{RESULTS}/benchmarks/{FIGURE}.tsv"
         params:
             figure=FIGURE,
+            data=lambda wildcards, input: ",".join(f'"{name}"' for name in input),
         shell:
-            "squat task=figure figure={params.figure} 'data=\"{input}\"' 'out=\"{output.png}\"'"
+            "squat task=figure figure={params.figure} 'data=[{params.data}]' 'out=\"{output.png}\"'"
             " > {log:q} 2>&1"

@@ -1,0 +1,156 @@
+"""The numbered points of section 3.6, and what the conclusions say of the coupled runs."""
+
+import numpy as np
+import xarray as xr
+
+from squat.analysis.claims import Finding, Sources, claim, holds
+from squat.analysis.verdict import INCONSISTENT
+from squat.quantities import Vector
+
+
+def _stable(sources: Sources) -> list[xr.Dataset]:
+    return [run for run in sources.runs("printed") if run.attrs["status"] == "completed"]
+
+
+def _speed(run: xr.Dataset) -> str:
+    return f"{run.attrs['current']:g} m/s"
+
+
+def turning_points(time: Vector, w: Vector) -> Vector:
+    """Times at which w turns, by a parabola through the three samples around each."""
+    slope = np.diff(w)
+    at = np.flatnonzero(slope[:-1] * slope[1:] < 0) + 1
+    left, middle, right = w[at - 1], w[at], w[at + 1]
+    shift = (left - right) / (2 * (left - 2 * middle + right))
+    return np.asarray(time[at] + shift * (time[1] - time[0]))
+
+
+def period(run: xr.Dataset) -> float:
+    """Twice the mean time between turning points [s]; NaN with fewer than two."""
+    turns = turning_points(run["time"].values, run["heave"].values)
+    return float(2 * np.diff(turns).mean()) if turns.size > 1 else float("nan")
+
+
+@claim("correction_required")
+def _(sources: Sources) -> Finding:
+    runs = sources.runs("printed_standard")
+    first = [run.attrs["status"] == "diverged" and run.sizes["time"] == 1 for run in runs]
+    factors = ", ".join(f"{float(run['failed_contraction']):.3g}" for run in runs)
+    here = f"diverges in the first step at {sum(first)} of {len(runs)} speeds"
+    return Finding(here, f"measured G = {factors}", holds(bool(first) and all(first)))
+
+
+@claim("mean_sinkage")
+def _(sources: Sources) -> Finding:
+    found = []
+    for run in _stable(sources):
+        turns = turning_points(run["time"].values, run["heave"].values)
+        extremes = np.interp(turns, run["time"].values, run["heave"].values)
+        found.append((run, float(extremes[:2].mean()) if len(extremes) > 1 else float("nan")))
+    deeper = [mean < float(run["stable_root"]) for run, mean in found]
+    text = "; ".join(
+        f"{mean:.3f} m against {float(run['stable_root']):.3f} m at {_speed(run)}"
+        for run, mean in found
+    )
+    note = "mean of two extremes; read 'higher' as deeper: the 2D suction is larger"
+    return Finding(text, note, holds(bool(deeper) and all(deeper)))
+
+
+@claim("pressure_ends")
+def _(sources: Sources) -> Finding:
+    run = _stable(sources)[0]
+    keel = run["hull_z"].values <= float(run["hull_z"].min()) + 1e-9
+    x, p = run["hull_x"].values[keel], run["hull_pressure"].values[-1, keel]
+    length = x.max() - x.min()
+    near = (x - x.min() < length / 10) | (x.max() - x < length / 10)
+    middle = abs(x - x.mean()) < length / 4
+    drop = float(p[middle].mean() - p[near].mean())
+    text = f"lower by {drop:.0f} Pa over the outer tenths than amidships"
+    return Finding(text, f"at {_speed(run)}, end of the run", holds(drop > 0))
+
+
+@claim("iterations_grow")
+def _(sources: Sources) -> Finding:
+    run = sources.runs("printed")[-1]
+    count = run["iterations"].values[1:]
+    growth = count[-1] / count[len(count) // 2]
+    text = f"from {count[0]} to {count[-1]} a step before the run ends ({run.attrs['status']})"
+    note = f"|G| grows with the fluid's inertia as the ship falls; {_speed(run)}"
+    return Finding(text, note, holds(bool(growth > 2 and run.attrs["status"] != "completed")))
+
+
+@claim("longer_period")
+def _(sources: Sources) -> Finding:
+    runs = _stable(sources)
+    linear = 2 * np.pi / float(runs[0]["omega"])
+    share = float(runs[0]["fluid_inertia"][0] / runs[0]["ship_mass"])
+    text = ", ".join(f"{period(run):.2f} s at {_speed(run)}" for run in runs)
+    note = (
+        f"linear: {linear:.2f} s; under the lid the water has {share:.1f} ship masses, not the "
+        "m_add of (23): that, more than the nonlinearity the paper names, makes the difference"
+    )
+    return Finding(text, note, holds(all(period(run) > linear for run in runs)))
+
+
+@claim("energy_balance")
+def _(sources: Sources) -> Finding:
+    text = []
+    worst = 0.0
+    for run in sources.runs("printed"):
+        total = run["kinetic_energy"] + run["potential_energy"] + run["fluid_work"]
+        gap = float(abs(total / total[0] - 1).max())
+        worst = max(worst, gap)
+        text.append(f"{100 * gap:.2g} % at {_speed(run)}")
+    note = (
+        "first order in dt, because w' stands a step behind w; any force history satisfies this "
+        "balance: it does not show that the water keeps its energy"
+    )
+    return Finding(f"closes to {', '.join(text)}", note, holds(worst < 5e-3))
+
+
+@claim("stable_speeds")
+def _(sources: Sources) -> Finding:
+    runs = sources.runs("printed")
+    found = [
+        "stable" if run.attrs["status"] == "completed" else f"lost ({run.attrs['status']})"
+        for run in runs
+    ]
+    expected = [*[True] * (len(runs) - 1), len(runs) < 4]  # the fastest of four is lost
+    here = ", ".join(f"{word} at {_speed(run)}" for word, run in zip(found, runs, strict=True))
+    agrees = [word == "stable" for word in found] == expected
+    return Finding(here, "", holds(agrees))
+
+
+@claim("precision_order")
+def _(sources: Sources) -> Finding:
+    text = []
+    changed = False
+    for name in ("printed", "printed_euler", "printed_backward"):
+        for run in sources.runs(name)[:1]:
+            status, count = run.attrs["status"], run["iterations"].values[1:]
+            mean = f", {count.mean():.1f} iterations a step" if count.size else ""
+            changed |= status != "completed" or (count.size > 0 and count.mean() > 8)
+            text.append(f"{name}: {status}{mean}")
+    note = "the results use `printed`: second order, centred; second order backward diverges"
+    return Finding("; ".join(text), note, holds(changed))
+
+
+@claim("corrected_converges")
+def _(sources: Sources) -> Finding:
+    lost = [run for run in sources.runs("printed") if run.attrs["status"] != "completed"]
+    if not lost:
+        return Finding("converges in all runs", "", holds(condition=True))
+    run = lost[0]
+    factor = float(run["predicted_contraction"][-1])
+    text = f"stops converging at {_speed(run)}, w = {float(run['heave'][-1]):.3f} m"
+    note = f"predicted G = {factor:.3f} there: the correction's threshold, see theory/coupled.md"
+    return Finding(text, note, INCONSISTENT if abs(factor) > 0.9 else holds(condition=False))
+
+
+@claim("added_mass_run")
+def _(sources: Sources) -> Finding:
+    run = sources.transients[0]
+    ratio = float(run["added_mass"] / run["ship_mass"])
+    inertia = float(run["fluid_inertia"][0] / run["ship_mass"])
+    text = f"m_add/m = {ratio:.6g}; inertia of the coupled water {inertia:.4g} m"
+    return Finding(text, "zero pressure (23), rigid lid (19)", holds(ratio > 1))

@@ -1,0 +1,35 @@
+# Section 3.6: mesh -> added mass -> roots -> runs, one job a run.
+RUNS = cases("transient", CASES)
+PRINTED = [
+    (name, current) for name in RUNS["couplings"] for current in RUNS["currents"]
+]
+PRINTED += [(name, RUNS["currents"][0]) for name in RUNS["readings"]]
+
+
+TRANSIENTS = [f"{RESULTS}/transient/{name}_{current}.nc" for name, current in PRINTED]
+
+
+rule transient:
+    input:
+        mesh=rules.mesh.output[0],
+        added_mass=f"{RESULTS}/added_mass/table6.nc",
+        equilibria=rules.equilibria.output[0],
+    output:
+        f"{RESULTS}/transient/{{coupling}}_{{current}}.nc",
+    log:
+        f"{RESULTS}/logs/transient_{{coupling}}_{{current}}.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/transient_{{coupling}}_{{current}}.tsv"
+    wildcard_constraints:
+        coupling="[a-z_]+",
+        current="[0-9.]+",
+    params:
+        config=lambda wildcards: configured(
+            "transient",
+            f"current={wildcards.current}",
+            f"coupling={wildcards.coupling}",
+        ),
+    shell:
+        "squat task=transient current={wildcards.current} coupling={wildcards.coupling}"
+        " 'inputs.mesh=\"{input.mesh}\"' 'inputs.added_mass=\"{input.added_mass}\"'"
+        " 'inputs.equilibria=\"{input.equilibria}\"' 'out=\"{output}\"' > {log:q} 2>&1"
