@@ -28,15 +28,45 @@ def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str)
     unit = "t/m$^2$" if mode != "pitch" else "t/m"
     values = pressure / 1000
     levels = np.asarray(MaxNLocator(9).tick_values(0, np.abs(values).max()))[1:]
-    for signed, style in ((levels, "solid"), (-levels[::-1], "dashed")):
-        lines = axes.tricontour(grid, values, signed, colors="k", linestyles=style, linewidths=0.9)
-        axes.clabel(lines, fmt="%g", fontsize=7)
     edges = grid.edges[np.flatnonzero(_outer(grid))]
     x, z = np.asarray(grid.x), np.asarray(grid.y)
+    window = _around(x, z)
+    taken = np.column_stack([x, z])[np.unique(edges)]
+    for signed, style in ((levels, "solid"), (-levels[::-1], "dashed")):
+        lines = axes.tricontour(grid, values, signed, colors="k", linestyles=style, linewidths=0.9)
+        places, taken = _free_places(lines.allsegs, taken, window)
+        if len(places):
+            axes.clabel(lines, fmt="%g", fontsize=7, manual=places)
     axes.plot(x[edges].T, z[edges].T, color=BLUE, lw=1.2)
-    axes.set(aspect="equal", ylabel="$z$ [m]", xlim=(-35, x.max() - 15))
+    axes.set(aspect="equal", ylabel="$z$ [m]", xlim=window)
     axes.set_title(f"{_TITLES[mode]}: $p$ per unit acceleration [{unit}]", fontsize=10)
     axes.grid(visible=False)
+
+
+def _around(x: np.ndarray, z: np.ndarray) -> tuple[float, float]:
+    """Range of x to show: the hull and two depths on either side, as far as the water goes."""
+    surface = np.sort(x[z == z.max()])
+    gap = int(np.argmax(np.diff(surface)))
+    room = 2 * np.ptp(z)
+    return max(x.min(), surface[gap] - room), min(x.max(), surface[gap + 1] + room)
+
+
+def _free_places(
+    lines: list[list[np.ndarray]], taken: np.ndarray, window: tuple[float, float]
+) -> tuple[list[tuple[float, float]], np.ndarray]:
+    """One place a line, farthest from the boundary and all other labels; none where crowded."""
+    places: list[tuple[float, float]] = []
+    room = 0.02 * (window[1] - window[0])
+    for line in (line for level in lines for line in level):
+        inside = line[(line[:, 0] > window[0] + room) & (line[:, 0] < window[1] - room)]
+        if len(inside) == 0:
+            continue
+        away = np.linalg.norm(inside[:, None] - taken[None], axis=2).min(axis=1)
+        best = int(np.argmax(away))
+        if away[best] > room:
+            places.append((float(inside[best, 0]), float(inside[best, 1])))
+            taken = np.vstack([taken, inside[best]])
+    return places, taken
 
 
 def _outer(grid: Triangulation) -> np.ndarray:
@@ -73,7 +103,7 @@ def fig9(data: xr.Dataset) -> Figure:
 
 def sensitivity(data: xr.Dataset) -> Figure:
     """Error of the inertia coefficient against mesh size and distance of In and Out."""
-    figure = Figure(figsize=(9.0, 4.0), layout="constrained")
+    figure = Figure(figsize=(9.0, 4.8), layout="constrained")
     left, right = figure.subplots(1, 2)
     size, distance = data["size"].values, data["distance"].values
     error = np.abs(data["size_inertia_coefficient"].values / float(data["size_limit"]) - 1)
@@ -88,10 +118,22 @@ def sensitivity(data: xr.Dataset) -> Figure:
     left.loglog(size, rate, "k:", lw=1, label="$h^{4/3}$, the corner's rate")
     left.set(xlabel="element size at the hull [m]", ylabel="relative error of $i$ [-]")
     i = data["distance_inertia_coefficient"].values
-    right.loglog(distance[:-1], np.abs(i / i[-1] - 1)[:-1], "o-", color=RED, label="extrapolated")
-    right.set(xlabel="In and Out from bow and stern [m]")
-    _advise(left, size, data.attrs["recommended_size"], data.attrs["tolerance"])
-    _advise(right, distance[:-1], data.attrs["recommended_distance"], data.attrs["tolerance"])
+    right.loglog(
+        distance[:-1],
+        np.abs(i / i[-1] - 1)[:-1],
+        "o-",
+        color=RED,
+        label=f"extrapolated, against {distance[-1]:g} m",
+    )
+    right.set(xlabel="In and Out from bow and stern [m]", ylabel="relative error of $i$ [-]")
+    near, far = data.attrs["recommended_size"], data.attrs["recommended_distance"]
+    _advise(left, size, near, data.attrs["tolerance"])
+    _advise(right, distance[:-1], far, data.attrs["tolerance"])
+    figure.supxlabel(
+        f"Recommended for {100 * data.attrs['tolerance']:g} %: {near:g} m at the hull with the "
+        f"growth kept, In and Out {far:g} m away",
+        fontsize=10,
+    )
     return figure
 
 
@@ -100,4 +142,4 @@ def _advise(axes: Axes, ticks: np.ndarray, value: float, tolerance: float) -> No
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.axhline(tolerance, color="k", lw=1, ls="--", label=f"{100 * tolerance:g} % accepted")
     axes.axvline(value, color="0.5", lw=1, label=f"recommended: {value:g} m")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)

@@ -31,9 +31,15 @@ def scene(axes: Axes, data: xr.Dataset) -> None:
     axes.set_ylabel("height $z$ [m]")
 
 
+def panel(data: xr.Dataset) -> tuple[Figure, Axes]:
+    """A figure as high as the channel in it demands at equal scales."""
+    span, height = np.ptp(data["node_x"].values), np.ptp(data["node_z"].values)
+    return single(8.0, float(np.clip(12.5 * height / span + 1.2, 2.8, 10)))
+
+
 def fig3(data: xr.Dataset) -> Figure:
     """Fluid domain with its named boundaries."""
-    figure, axes = single(8.0, 2.8)
+    figure, axes = panel(data)
     faces = data["face_node"].values
     water = Triangulation(data["node_x"].values, data["node_z"].values, faces)
     axes.tripcolor(water, np.zeros(len(faces)), cmap="Blues", vmin=-1, vmax=6)
@@ -68,7 +74,7 @@ def fig3(data: xr.Dataset) -> Figure:
 
 def fig8(data: xr.Dataset) -> Figure:
     """Topology and dimensions, measured on the mesh."""
-    figure, axes = single(8.0, 3.0)
+    figure, axes = panel(data)
     scene(axes, data)
     ship_x, ship_z = edges(data, "Ship")
     left, right = data["node_x"].values.min(), data["node_x"].values.max()

@@ -3,7 +3,7 @@
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.ticker import ScalarFormatter
+from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 from squat.figures.style import PALETTE, single
 
@@ -20,12 +20,12 @@ def iterations(data: xr.Dataset) -> Figure:
         axes.loglog(data["mass_ratio"], found, "o", ms=5, color=color, label=label)
     axes.axvline(1, color="k", ls=":", lw=1)
     axes.text(1.05, axes.get_ylim()[0], "$m_f = m$", va="bottom")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(ScalarFormatter())
+    ticks = (0.2, 0.5, 1, 2, 5, 10)
+    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.yaxis.set_major_formatter(ScalarFormatter())
     axes.set_xlabel("mass ratio $m_f/m$ [-]")
     axes.set_ylabel("structure solves a time step [-]")
-    axes.set_title(
-        "points: measured mean, none where diverged; lines: predicted from $G$", fontsize=9
-    )
+    axes.set_title("points: measured mean, none where diverged\nlines: predicted", fontsize=9)
     figure.legend(loc="outside right upper")
     return figure

@@ -120,7 +120,8 @@ def _interpolation(axes: Axes, data: xr.Dataset, zone: int) -> None:
         angles="xy",
         scale_units="xy",
         scale=1,
-        width=0.0022,
+        units="inches",
+        width=0.014,
         color=BLUE,
     )
     axes.set_title(

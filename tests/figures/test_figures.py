@@ -1,0 +1,40 @@
+"""What a reader would complain of: labels over lines, titles cut off."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from squat.figures.added_mass import fig7
+from squat.figures.domain import fig3, fig8
+from squat.fluid.run import run as added_mass
+from squat.mesh.run import run as mesh
+
+DEEP = "channel.bottom=[[-10,0],[10,4],[30,4],[60,-15]]"
+
+
+@pytest.mark.parametrize("hull", ["rectangle", "lewis"])
+def test_labels_of_isovalues_stay_apart_and_off_the_hull(case, hull):
+    data = added_mass(case("added_mass", f"hull={hull}", "mesh=coarse"))
+    faces = data["face_node"].values
+    sides = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    unique, count = np.unique(sides, axis=0, return_counts=True)
+    rim = np.unique(unique[count == 1])
+    rim = np.column_stack([data["node_x"][rim], data["node_z"][rim]])
+    for axes in fig7(data).axes:
+        places = [np.array(text.get_position()) for text in axes.texts]
+        assert len(places) > 4
+        assert all(np.linalg.norm(rim - place, axis=1).min() > 1 for place in places)
+        assert all(np.linalg.norm(a - b) > 1 for a, b in combinations(places, 2))
+
+
+@pytest.mark.parametrize("draw", [fig3, fig8])
+def test_nothing_is_cut_off_over_a_deep_bottom(case, draw):
+    figure = draw(mesh(case("mesh", "mesh=coarse", DEEP, "position.heave=0.0")))
+    FigureCanvasAgg(figure).draw()
+    (axes,) = figure.axes
+    for text in (axes.title, axes.xaxis.label, axes.yaxis.label):
+        box = text.get_window_extent()
+        assert figure.bbox.contains(box.x0, box.y0)
+        assert figure.bbox.contains(box.x1, box.y1)
