@@ -1,6 +1,7 @@
 """The typed schema: the rooms' own dataclasses, one for each task."""
 
 import difflib
+import re
 from collections.abc import Mapping
 from functools import cache
 from typing import Any, Literal, NamedTuple
@@ -63,6 +64,9 @@ class Valid(NamedTuple):
     config: dict[str, Any]
 
 
+_SIZE = re.compile(
+    r"Tuple should have (?P<size>.+?)(?: after validation)?, not (?P<given>\d+)", re.ASCII
+)
 _SETTINGS = ("task", "out", "log_level")
 
 
@@ -113,6 +117,8 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
         return f"{path}={_short(value)}: unknown key; {hint}"
     if detail["type"] == "missing":
         return f"{path}: missing; give {path}=VALUE"
+    if found := _SIZE.match(message):
+        message = f"must have {found['size']}, not {found['given']}"
     return f"{path}={_short(value)}: {message.replace('Input should', 'must')}"
 
 

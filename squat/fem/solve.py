@@ -7,6 +7,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import SuperLU, splu
 
+from squat.errors import InputError
 from squat.mesh.motion import Index
 from squat.quantities import Vector
 
@@ -16,7 +17,7 @@ _PIVOT = 1e-14
 """Smallest pivot over the largest, below which a matrix counts as singular."""
 
 
-class SolveError(ArithmeticError):
+class SolveError(InputError, ArithmeticError):
     """A linear system that is singular or too ill-conditioned; the message names the cause."""
 
 

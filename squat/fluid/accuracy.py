@@ -1,9 +1,10 @@
 """Added mass to a stated error: three graded P2 meshes, extrapolated entry by entry."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
+from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel import AnyHull, Channel
@@ -11,7 +12,7 @@ from squat.fluid.added_mass import AddedMass, FreeSurface
 from squat.fluid.hull_modes import HullMode
 from squat.mesh import MeshSize, submesh
 from squat.mesh.generate import generate
-from squat.quantities import STRICT, Count, Fraction, Positive, Vector
+from squat.quantities import STRICT, Fraction, Positive, Vector
 
 LEVELS = 3
 _LEAST_ORDER, _GREATEST_ORDER = 1.0, 4.0
@@ -36,7 +37,7 @@ class Accuracy:
     safety
         Factor on the estimated error, 1.25 with three meshes (Roache).
     refinement
-        Ratio of the element sizes of one mesh and the next.
+        Ratio of the element sizes of one mesh and the next: 2, 3 or 4.
     """
 
     near: Fraction
@@ -44,7 +45,7 @@ class Accuracy:
     slope: Positive
     grading: Fraction
     safety: Positive
-    refinement: Count
+    refinement: Annotated[int, Field(strict=True, ge=2, le=4)]
 
     def size(self, hull: AnyHull, channel: Channel, level: int) -> MeshSize:
         """Sizes on mesh `level`, 0 the coarsest."""

@@ -5,6 +5,7 @@ import xarray as xr
 
 from squat.mesh.case import MeshCase
 from squat.mesh.generate import generate
+from squat.mesh.limits import PositionError
 from squat.mesh.mesh import Mesh
 from squat.mesh.submesh import submesh
 from squat.mesh.ugrid import to_dataset
@@ -20,5 +21,8 @@ def run(case: MeshCase) -> xr.Dataset:
     place = case.position
     coarse = submesh(case.hull, case.channel)
     q = np.array([place.surge, place.heave, place.pitch])
-    coarse.check(q)
+    try:
+        coarse.check(q)
+    except PositionError as error:
+        raise type(error)(f"position: {error}") from error
     return to_dataset(generate(coarse, case.mesh), q)

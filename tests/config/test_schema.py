@@ -32,6 +32,23 @@ def test_bad_value_names_key_value_and_remedy(overrides, line):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("overrides", "line"),
+    [
+        (["accuracy.refinement=1"], "accuracy.refinement=1: must be greater than or equal to 2"),
+        (["channel.bottom=[[1,2,3]]"], "channel.bottom.0=[1, 2, 3]: must have at most 2 items,"),
+        (
+            ["hull=polygon", "hull.points=[[0,0],[1,-1]]"],
+            "hull.points=[[0, 0], [1, -1]]: must have at least 3 items, not 2",
+        ),
+    ],
+)
+def test_bad_geometry_names_key_value_and_remedy(overrides, line):
+    with pytest.raises(InputError) as caught:
+        validate(compose("added_mass", *overrides))
+    assert str(caught.value).startswith(line)
+
+
 @pytest.mark.parametrize("task", ["piston", "iterations", "equilibria"])
 def test_every_run_task_composes_without_overrides(task):
     valid = validate(compose(task))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from squat.errors import InputError
 from squat.fem import AffineStiffness, Factorised, HullLoads, SolveError
 from squat.mesh import subdivided
 from tests.hulls import zones
@@ -50,3 +51,12 @@ def test_matrix_that_is_not_finite_is_named():
 def test_load_that_is_not_finite_is_named():
     with pytest.raises(SolveError, match="not finite"):
         Factorised.of(K, AFFINE.space.dofs("In")).solve(np.full(K.shape[0], np.inf))
+
+
+def test_ill_conditioned_system_is_named_and_is_bad_input():
+    """Two channels, one of them with a stiffness that rounding cannot tell from zero."""
+    two = sparse.csc_array(sparse.block_diag([K, 1e-16 * K]))
+    held = AFFINE.space.dofs("In")
+    with pytest.raises(SolveError, match="ill-conditioned") as caught:
+        Factorised.of(two, np.concatenate([held, held + K.shape[0]]))
+    assert isinstance(caught.value, InputError)
