@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from squat.fem import AffineStiffness, Factorised, HullLoads, Space
+from squat.fem import AffineStiffness, Factorised, HullLoads, Solution, Space
 from squat.fluid.hull_modes import HullMode
 from squat.mesh import Mesh
 from squat.quantities import Vector
@@ -63,11 +63,16 @@ class AddedMass:
         return np.vstack([rigid, *fields])
 
     @cached_property
-    def potentials(self) -> Vector:
-        """phi_j, shape (modes, size) [m2 for translations, m3 for pitch]."""
+    def solution(self) -> Solution:
+        """Solutions of (25) for all modes, with their largest relative residual."""
         fixed = self.space.dofs(*DIRICHLET[self.free_surface])
         stiffness = AffineStiffness(self.mesh, self.space).at(self._rest)
-        return Factorised.of(stiffness, fixed).solve(self.loads).values
+        return Factorised.of(stiffness, fixed).solve(self.loads)
+
+    @property
+    def potentials(self) -> Vector:
+        """phi_j, shape (modes, size) [m2 for translations, m3 for pitch]."""
+        return self.solution.values
 
     @cached_property
     def matrix(self) -> Vector:

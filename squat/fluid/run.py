@@ -82,4 +82,5 @@ def run(case: AddedMassCase) -> xr.Dataset:
         "node_z": mesh.points[:, 1],
         "face_node": mesh.triangles,
     }
-    return build(ADDED_MASS, data, {"free_surface": case.free_surface})
+    how = {"free_surface": case.free_surface, "residual": raw.solution.residual}
+    return build(ADDED_MASS, data, how)

@@ -172,6 +172,7 @@ def test_record_has_the_promised_names(case):
     assert list(data["mode_i"].values) == ["surge", "heave", "pitch", "bending_1"]
     assert data["added_mass"].dims == ("mode_i", "mode_j")
     assert data["pressure"].dims == ("mode", "node")
+    assert 0 < data.attrs["residual"] < 1e-9
     raw = abs(data["added_mass_mesh"] - data["added_mass"])
     assert bool((raw <= data["added_mass_mesh_error"]).all())
     assert bool((data["added_mass_mesh_error"] >= data["added_mass_error"]).all())
