@@ -73,3 +73,13 @@ def test_two_level_names_and_equals_signs_in_files_work_when_quoted(squat, tmp_p
     done = squat("task=piston", "time.periods=0.1", 'out="a=b,c~.nc"')
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "a=b,c~.nc").is_file()
+
+
+def test_added_mass_of_section_3_6_is_one_command_of_less_than_ten_seconds(squat, tmp_path):
+    geometry = "hull.length=40 hull.draft=10 channel.depth=20 channel.upstream=40"
+    ends = "channel.downstream=60 free_surface=zero_pressure out=m.nc"
+    done = squat("task=added_mass", *geometry.split(), *ends.split(), timeout=30)
+    assert done.returncode == 0
+    data = read(tmp_path / "m.nc")
+    assert data.attrs["wall_time"] < 10
+    assert list(data["mode"].values) == ["surge", "heave", "pitch"]

@@ -180,6 +180,21 @@ def test_record_has_the_promised_names(case):
     assert float(data["inertia_coefficient"]) == pytest.approx(i)
 
 
+def test_p2_lies_between_p1_on_the_same_triangles_and_the_extrapolated_value(case):
+    linear, quadratic = (
+        run(case("added_mass", "mesh=coarse", f"mesh.order={order}")) for order in (1, 2)
+    )
+    assert linear.sizes == quadratic.sizes
+    names = ("surge", "heave", "pitch")
+    for data in (linear, quadratic):
+        assert bool((data["added_mass"] == linear["added_mass"]).all())
+    for name in names:
+        at = {"mode_i": name, "mode_j": name}
+        low, high = (float(d["added_mass_mesh"].sel(at)) for d in (linear, quadratic))
+        top = float((linear["added_mass"] + linear["added_mass_error"]).sel(at))
+        assert low < high < top
+
+
 def test_pitch_about_the_centroid_shifts_the_matrix_like_any_rigid_mode(case):
     """V_pitch about c' = V_pitch about c + (c'_z - c_z) V_surge - (c'_x - c_x) V_heave."""
     about = {

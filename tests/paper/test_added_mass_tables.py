@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from squat.analysis.tables import compare
+from squat.config import compose, validate
+from squat.fluid.inertia import finite_cells
 from squat.fluid.matching import RectangleReference, rigid_modes
 from squat.published import table
 
@@ -23,6 +25,25 @@ def test_table_4_and_5_hold_a_tenth_of_a_percent(sources):
     for data in (sources.table4, sources.table5):
         relative = data["inertia_coefficient_error"] / data["inertia_coefficient"]
         assert float(relative.max()) < 1e-3
+
+
+def test_tables_4_and_5_are_whole_and_named_as_promised():
+    """12 and 63 cells; the composed cases run each of them, whatever its value."""
+    assert len(table("table4")) == 12
+    assert len(table("table5")) == 63
+    cells = validate(compose("inertia")).case.cells
+    run = {(one.depth_over_draft, one.a_over_T) for one in finite_cells(cells)}
+    printed = [(cell.keys["depth_over_draft"], cell.keys["a_over_T"]) for cell in table("table5")]
+    assert {(float(ratio), float(a)) for ratio, a in printed} == run
+    cells = validate(compose("inertia", "cases/inertia@cells=table4")).case.cells
+    run = {one.depth_over_draft for one in finite_cells(cells)} | {math.inf}
+    assert {float(cell.keys["depth_over_draft"]) for cell in table("table4")} == run
+
+
+def test_table_5_has_the_promised_columns(sources):
+    names = "depth_over_draft a_over_T paper here error here_paper_mesh verdict_paper_mesh"
+    more = "here_T10 error_T10 difference verdict note"
+    assert {*names.split(), *more.split()} <= set(compare("table5", sources.table5).columns)
 
 
 def test_table_5_values_are_those_of_the_independent_method(sources):
