@@ -18,6 +18,7 @@ import numpy as np
 from squat.fem import AffineStiffness, Factorised, HullLoads, Solution, Space
 from squat.fluid.hull_modes import HullMode
 from squat.mesh import Mesh
+from squat.mesh.motion import Index
 from squat.quantities import Vector
 
 FreeSurface = Literal["zero_pressure", "rigid_lid"]
@@ -112,7 +113,7 @@ def nodal_matrix(mesh: Mesh, free_surface: FreeSurface) -> Vector:
     return np.asarray((matrix + matrix.T) / 2)
 
 
-def hull_nodes(mesh: Mesh) -> Vector:
+def hull_nodes(mesh: Mesh) -> Index:
     """Nodes on the hull, from the bow's water line point to the stern's."""
     edges = mesh.boundary["Ship"]
     after = dict(edges.tolist())
@@ -120,4 +121,4 @@ def hull_nodes(mesh: Mesh) -> Vector:
     chain = [first]
     while chain[-1] in after:
         chain.append(after[chain[-1]])
-    return np.array(chain)
+    return np.array(chain[::-1])  # edges have the water on their left: they run to the bow

@@ -1,4 +1,4 @@
-"""a(w), b(w), c(w) of heave as smooth curves, from a dozen solves.
+"""a(w), b(w), c(w) of heave as smooth curves, from a score of solves.
 
 They are analytic in the logarithm of the under-keel clearance; Chebyshev points there converge
 geometrically.
@@ -29,7 +29,7 @@ class Curves:
     series: tuple[Chebyshev, Chebyshev, Chebyshev]
 
     @staticmethod
-    def of(fluid: PotentialFluid, low: float, high: float, points: int = 14) -> "Curves":
+    def of(fluid: PotentialFluid, low: float, high: float, points: int = 20) -> "Curves":
         """Curves from `points` positions between w = `low` and w = `high` [m]."""
         clearance = fluid.mesh.submesh.limits.clearance
         ends = np.log([clearance + low, clearance + high])

@@ -1,6 +1,6 @@
 """Potential flow around the moving hull, Eqs. (18) to (21), and its force on the hull, Eq. (15)."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, NamedTuple
 
@@ -56,7 +56,6 @@ class PotentialFluid:
     water: Water
     free_surface: FreeSurface
     current: float
-    _last: list[Vector] = field(default_factory=list, repr=False)
 
     def __post_init__(self) -> None:
         if self.free_surface == "zero_pressure" and self.current != 0:
@@ -114,17 +113,12 @@ class PotentialFluid:
         moving = velocity @ self._loads.at(position)
         if self.free_surface == "rigid_lid":
             load = self.current * self.inflow + moving
-            potential = self._lid.solve(theta, load, self._guess())
-            self._last = [potential, *self._last[:2]]
+            potential = self._lid.solve(theta, load)
         else:
             potential = self._motion.solve(theta, moving)
             if self.current:
                 potential += self._lid.solve(theta, self.current * self.inflow)
         return Flow(position, velocity, potential)
-
-    def _guess(self) -> Vector | None:
-        """Start vector: the last potential (successive iterates are neighbours)."""
-        return self._last[0] if self._last else None
 
     def force(self, flow: Flow, rate: Vector) -> Vector:
         """Generalised force (n,) [N/m] of p - p_atm, given d phi/dt at the nodes, Eq. (15)."""

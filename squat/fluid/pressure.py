@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from squat.fluid.added_mass import hull_nodes
 from squat.mesh import MODES, Mesh
 from squat.mesh.motion import Index
 from squat.quantities import Vector
@@ -34,21 +35,16 @@ class HullPressure:
     @cached_property
     def beside(self) -> Index:
         """Nodes (k, 3) of the triangle beside each edge."""
-        owner = {}
-        for triangle in self.mesh.triangles.tolist():
-            for i in range(3):
-                owner[triangle[i], triangle[(i + 1) % 3]] = triangle
-        return np.array([owner[tuple(edge)] for edge in self.edges.tolist()])
+        sides = np.concatenate([self.mesh.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
+        key = sides @ [len(self.mesh.points), 1]
+        order = np.argsort(key)
+        place = order[np.searchsorted(key[order], self.edges @ [len(self.mesh.points), 1])]
+        return np.asarray(self.mesh.triangles[place % len(self.mesh.triangles)])
 
     @cached_property
     def nodes(self) -> Index:
         """Nodes on the hull, from the bow's water line point to the stern's."""
-        after = dict(self.edges.tolist())
-        first = (set(after) - set(after.values())).pop()
-        chain = [first]
-        while chain[-1] in after:
-            chain.append(after[chain[-1]])
-        return np.array(chain)
+        return hull_nodes(self.mesh)
 
     def at_points(
         self, flow: "Flow", rate: Vector, current: float
@@ -58,9 +54,9 @@ class HullPressure:
         mesh_velocity = np.tensordot(flow.velocity, self.mesh.velocities(flow.position), axes=1)
         gradient = gradients(moved[self.beside], flow.potential[self.beside])
         ends = moved[self.edges]
-        places = np.einsum("gi,kid->kgd", _SHAPE, ends)
-        carried = np.einsum("gi,kid,kd->kg", _SHAPE, mesh_velocity[self.edges], gradient)
-        unsteady = rate[self.edges] @ _SHAPE.T - carried
+        places = _SHAPE @ ends
+        carried = (mesh_velocity[self.edges] * gradient[:, None]).sum(axis=2)
+        unsteady = (rate[self.edges] - carried) @ _SHAPE.T
         rho, g = self.water.density, self.water.gravity
         speed = (gradient**2).sum(axis=1)
         head = g * (self.mesh.submesh.limits.level - places[..., 1])
@@ -78,7 +74,7 @@ class HullPressure:
             "pitch": np.stack([-arm[..., 1], arm[..., 0]], axis=-1),
         }
         along = [
-            np.einsum("kg,kgd,kd->", pressure, fields[mode], normal) / 2
+            (pressure * (fields[mode] * normal[:, None]).sum(axis=2)).sum() / 2
             for mode in MODES
             if mode in self.mesh.submesh.modes
         ]

@@ -1,7 +1,8 @@
 """K(q) phi = r at one position after another: assembly and factorisation that remember.
 
 Between neighbouring positions K changes little. A factor is kept and serves as preconditioner of
-conjugate gradients, started from the last solutions, until that takes more than a few iterations.
+conjugate gradients until that takes more than a few iterations; they start from the best
+combination of the last solutions (Galerkin's: the least error in the energy norm).
 """
 
 from dataclasses import dataclass, field
@@ -15,8 +16,11 @@ from squat.fem import AffineStiffness, SolveError
 from squat.mesh.motion import Index
 from squat.quantities import Vector
 
-TOLERANCE = 1e-13
+TOLERANCE = 1e-12
 """Relative residual of a solution."""
+_RECENT = 10
+_INDEPENDENT = 1e-13
+"""Relative energy below which a combination of recent solutions counts as rounding."""
 _PATIENCE = 7
 """Iterations after which a new factor is cheaper than the old one's help."""
 
@@ -34,6 +38,7 @@ class MovingSolver:
     factorisations: int = 0
     residual: float = 0.0
     _factor: SuperLU | None = field(default=None, repr=False)
+    _recent: list[Vector] = field(default_factory=list, repr=False)
 
     @cached_property
     def free(self) -> Index:
@@ -56,8 +61,8 @@ class MovingSolver:
         data = self.affine.matrix(theta).data[place]
         return sparse.csc_array((data, block.indices, block.indptr), shape=block.shape)
 
-    def solve(self, theta: Vector, load: Vector, guess: Vector | None = None) -> Vector:
-        """Potential (size,) for `load` (size,), starting from `guess` (size,).
+    def solve(self, theta: Vector, load: Vector) -> Vector:
+        """Potential (size,) for `load` (size,).
 
         Raises
         ------
@@ -65,17 +70,25 @@ class MovingSolver:
             Where the system is singular or the residual stays large.
         """
         matrix, right = self.matrix(theta), load[self.free]
-        start = np.zeros(len(self.free)) if guess is None else guess[self.free]
-        x = self._iterate(matrix, right, start)
+        x = self._iterate(matrix, right, self._start(matrix, right))
         if x is None:
             self._factor = self._factorise(matrix)
             x = self._iterate(matrix, right, self._factor.solve(right))
         if x is None:
             raise SolveError("ill-conditioned system: conjugate gradients stall on a new factor")
         self.solves += 1
+        self._recent = [x, *self._recent[: _RECENT - 1]]
         out = np.zeros(len(load))
         out[self.free] = x
         return out
+
+    def _start(self, matrix: sparse.csc_array, right: Vector) -> Vector:
+        if not self._recent:
+            return np.zeros_like(right)
+        basis = np.array(self._recent)
+        projected = basis @ (matrix @ basis.T)
+        weights = np.linalg.lstsq(projected, basis @ right, rcond=_INDEPENDENT)[0]
+        return np.asarray(weights @ basis)
 
     def _factorise(self, matrix: sparse.csc_array) -> SuperLU:
         self.factorisations += 1

@@ -1,7 +1,8 @@
 """Moving Submesh Approach: coarse triangles that follow the hull and carry the fine mesh."""
 
 from collections import Counter
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -46,6 +47,7 @@ class Submesh:
     bed: Vector
     limits: Limits
     modes: tuple[str, ...] = MODES
+    _last: dict[str, tuple[bytes, Vector]] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not self.modes or [m for m in MODES if m in self.modes] != list(self.modes):
@@ -82,12 +84,25 @@ class Submesh:
 
     def positions(self, q: Vector) -> Vector:
         """Coarse vertices (nc, 2) [m] at `q`; raises PositionError where it is inadmissible."""
+        return self._remembered("positions", q, self._checked)
+
+    def _checked(self, q: Vector) -> Vector:
         self.check(q)
         return self.motion.positions(self.full(q))
 
+    def _remembered(self, name: str, q: Vector, make: Callable[[Vector], Vector]) -> Vector:
+        """`make(q)`, kept for the last q: stiffness, loads and pressure ask in turn."""
+        key = np.asarray(q, float).tobytes()
+        found = self._last.get(name)
+        if found is None or found[0] != key:
+            value = make(q)
+            value.flags.writeable = False
+            found = self._last[name] = (key, value)
+        return found[1]
+
     def first(self, q: Vector) -> Vector:
         """dX/dq_k of the coarse vertices, shape (modes, nc, 2)."""
-        return self.motion.first(self.full(q))[self.free]
+        return self._remembered("first", q, lambda q: self.motion.first(self.full(q))[self.free])
 
     def second(self, q: Vector) -> Vector:
         """d2X/dq_k dq_l of the coarse vertices, shape (modes, modes, nc, 2)."""
