@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from squat import transient
 from squat.analysis.claims import Sources
 from squat.config import compose, validate
 from squat.fluid import inertia
@@ -17,6 +18,18 @@ def computed(function, task, *overrides):
     return function(valid.case).assign_attrs(config=json.dumps(valid.config))
 
 
+RUNS = [
+    *((name, speed) for name in ("printed", "printed_standard") for speed in (1, 2, 2.25, 2.5)),
+    ("printed_euler", 1),
+    ("printed_backward", 1),
+]
+
+
+def coupled(coupling, speed):
+    overrides = "mesh=coarse", "accuracy.near=0.4", f"coupling={coupling}", f"current={speed}"
+    return computed(lambda case: transient.run(case).dataset, "transient", *overrides)
+
+
 @pytest.fixture(scope="session")
 def sources():
     cells = "cases/inertia@cells="
@@ -26,4 +39,5 @@ def sources():
         table4=computed(inertia.run, "inertia", f"{cells}table4_small"),
         table5=computed(inertia.run, "inertia", f"{cells}table5_small"),
         table6=computed(added_mass.run, "added_mass"),
+        transients=tuple(coupled(*one) for one in RUNS),
     )
