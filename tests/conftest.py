@@ -40,12 +40,3 @@ def squat(tmp_path):
         )
 
     return run
-
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
-    """Keep tests that share one long computation in one worker."""
-    for item in items:
-        for folder in ("paper", "workflow"):
-            if folder in item.path.parts:
-                item.add_marker(pytest.mark.xdist_group(folder))
