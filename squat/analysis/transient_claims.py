@@ -1,5 +1,7 @@
 """The numbered points of section 3.6, and what the conclusions say of the coupled runs."""
 
+import json
+
 import numpy as np
 import xarray as xr
 
@@ -154,3 +156,15 @@ def _(sources: Sources) -> Finding:
     inertia = float(run["fluid_inertia"][0] / run["ship_mass"])
     text = f"m_add/m = {ratio:.6g}; inertia of the coupled water {inertia:.4g} m"
     return Finding(text, "zero pressure (23), rigid lid (19)", holds(ratio > 1))
+
+
+@claim("ship_tolerance")
+def _(sources: Sources) -> Finding:
+    run = sources.runs("printed")[0]
+    used = float(json.loads(run.attrs["config"])["coupling"]["criterion"]["tolerance"])
+    note = "section 3.6 states the value used here"
+    for loose in sources.runs("printed_loose")[:1]:
+        apart = float(abs(loose["heave"].values - run["heave"].values).max())
+        mean = loose["iterations"].values[1:].mean()
+        note += f"; with 1e-4 m: {mean:.1f} iterations a step, w off by up to {apart:.1e} m"
+    return Finding(used, note, INCONSISTENT)

@@ -77,6 +77,15 @@ class AffineStiffness:
         data = (assemble @ theta, pattern.indices, pattern.indptr)
         return sparse.csc_array(data, shape=pattern.shape)
 
+    def block(self, rows: Index) -> tuple[sparse.csc_array, sparse.csr_array]:
+        """Pattern of the block of `rows` and columns, and the matrix from theta to its data."""
+        pattern, assemble = self._parts
+        numbered = sparse.csc_array(
+            (np.arange(1, pattern.nnz + 1), pattern.indices, pattern.indptr), shape=pattern.shape
+        )
+        inner = sparse.csc_array(numbered[rows][:, rows])
+        return inner.astype(float), sparse.csr_array(assemble[inner.data - 1])
+
     def term(self, j: int) -> sparse.csc_array:
         """The constant matrix K_j."""
         return self.matrix(np.eye(1, self.terms, j)[0])

@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy import sparse
 
 from squat.fluid.added_mass import hull_nodes
 from squat.mesh import MODES, Mesh
@@ -42,6 +43,12 @@ class HullPressure:
         return np.asarray(self.mesh.triangles[place % len(self.mesh.triangles)])
 
     @cached_property
+    def _weights(self) -> tuple[sparse.csr_array, sparse.csr_array]:
+        """From coarse vertices to the edges' ends and to the corners of the triangles beside."""
+        weights = self.mesh.weights
+        return weights[self.edges.ravel()], weights[self.beside.ravel()]
+
+    @cached_property
     def nodes(self) -> Index:
         """Nodes on the hull, from the bow's water line point to the stern's."""
         return hull_nodes(self.mesh)
@@ -50,12 +57,15 @@ class HullPressure:
         self, flow: "Flow", rate: Vector, current: float
     ) -> tuple[Vector, Vector, Vector]:
         """Pressure less p_atm (k, 2) [Pa], places (k, 2, 2), and normals by length (k, 2)."""
-        moved = self.mesh.moved(flow.position)
-        mesh_velocity = np.tensordot(flow.velocity, self.mesh.velocities(flow.position), axes=1)
-        gradient = gradients(moved[self.beside], flow.potential[self.beside])
-        ends = moved[self.edges]
+        submesh, (at_ends, at_corners) = self.mesh.submesh, self._weights
+        vertices = submesh.positions(flow.position)
+        rates = np.tensordot(flow.velocity, submesh.first(flow.position), axes=1)
+        corners = (at_corners @ vertices).reshape(-1, 3, 2)
+        gradient = gradients(corners, flow.potential[self.beside])
+        ends = (at_ends @ vertices).reshape(-1, 2, 2)
+        mesh_velocity = (at_ends @ rates).reshape(-1, 2, 2)
         places = _SHAPE @ ends
-        carried = (mesh_velocity[self.edges] * gradient[:, None]).sum(axis=2)
+        carried = (mesh_velocity * gradient[:, None]).sum(axis=2)
         unsteady = (rate[self.edges] - carried) @ _SHAPE.T
         rho, g = self.water.density, self.water.gravity
         speed = (gradient**2).sum(axis=1)

@@ -18,9 +18,10 @@ from squat.quantities import Vector
 
 TOLERANCE = 1e-12
 """Relative residual of a solution."""
-_RECENT = 10
-_INDEPENDENT = 1e-13
-"""Relative energy below which a combination of recent solutions counts as rounding."""
+_RECENT = 24
+"""Solutions that a start vector is combined from."""
+_INDEPENDENT = 1e-11
+"""Share of a solution below which what is new in it counts as rounding."""
 _PATIENCE = 7
 """Iterations after which a new factor is cheaper than the old one's help."""
 
@@ -46,20 +47,14 @@ class MovingSolver:
         return np.setdiff1d(np.arange(self.affine.space.size), self.fixed)
 
     @cached_property
-    def _inner(self) -> tuple[sparse.csc_array, Index]:
-        """Pattern of the free block, and where its data lie in those of the whole."""
-        whole = self.affine.matrix(np.zeros(self.affine.terms))
-        numbered = sparse.csc_array(
-            (np.arange(1, whole.nnz + 1), whole.indices, whole.indptr), shape=whole.shape
-        )
-        block = sparse.csc_array(numbered[self.free][:, self.free])
-        return block, block.data.astype(np.int64) - 1
+    def _inner(self) -> tuple[sparse.csc_array, sparse.csr_array]:
+        return self.affine.block(self.free)
 
     def matrix(self, theta: Vector) -> sparse.csc_array:
-        """Free block of sum theta_j K_j."""
-        block, place = self._inner
-        data = self.affine.matrix(theta).data[place]
-        return sparse.csc_array((data, block.indices, block.indptr), shape=block.shape)
+        """Free block of sum theta_j K_j; its data last until the next call."""
+        pattern, assemble = self._inner
+        pattern.data = assemble @ theta
+        return pattern
 
     def solve(self, theta: Vector, load: Vector) -> Vector:
         """Potential (size,) for `load` (size,).
@@ -77,7 +72,7 @@ class MovingSolver:
         if x is None:
             raise SolveError("ill-conditioned system: conjugate gradients stall on a new factor")
         self.solves += 1
-        self._recent = [x, *self._recent[: _RECENT - 1]]
+        self._remember(x)
         out = np.zeros(len(load))
         out[self.free] = x
         return out
@@ -87,8 +82,17 @@ class MovingSolver:
             return np.zeros_like(right)
         basis = np.array(self._recent)
         projected = basis @ (matrix @ basis.T)
-        weights = np.linalg.lstsq(projected, basis @ right, rcond=_INDEPENDENT)[0]
-        return np.asarray(weights @ basis)
+        return np.asarray(np.linalg.solve(projected, basis @ right) @ basis)
+
+    def _remember(self, x: Vector) -> None:
+        """Add the part of `x` that is new to the orthonormal basis of recent solutions."""
+        size = float(np.sqrt(x @ x))
+        basis = np.array(self._recent).reshape(-1, len(x))
+        rest = x
+        for _ in range(2):  # twice is enough
+            rest = rest - (basis @ rest) @ basis
+        if (new := float(np.sqrt(rest @ rest))) > _INDEPENDENT * size:
+            self._recent = [rest / new, *self._recent[: _RECENT - 1]]
 
     def _factorise(self, matrix: sparse.csc_array) -> SuperLU:
         self.factorisations += 1
