@@ -1,5 +1,6 @@
 """Hull sections given by points, straight or smooth."""
 
+from abc import abstractmethod
 from typing import Annotated, Literal
 
 import numpy as np
@@ -51,9 +52,9 @@ class _Given(Hull):
         stretch = self.length / (chain[-1, 0] - chain[0, 0]), self.draft / depth
         return np.asarray((chain - np.array([chain[0, 0], 0.0])) * np.array(stretch))
 
+    @abstractmethod
     def curve(self) -> Vector:
         """Vertices of the closed section, shape (n, 2)."""
-        raise NotImplementedError
 
     @staticmethod
     def _simple(points: Vector) -> Area:

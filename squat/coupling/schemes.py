@@ -1,6 +1,7 @@
 """The structure solve of one coupling iteration."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -28,12 +29,13 @@ class Scheme:
     mass: Vector
     added_mass: Vector
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "_inverse", np.linalg.inv(self.mass + self.added_mass))
+    @cached_property
+    def _inverse(self) -> Vector:
+        return np.asarray(np.linalg.inv(self.mass + self.added_mass), float)
 
     def solve(self, force: Vector, trial: Motion, kinematics: Kinematics) -> Motion:
         """Motion of the structure under `force` (shape (n,)), the answer to `trial`."""
-        acceleration = self._inverse @ (force + self.added_mass @ trial.acceleration)  # type: ignore[attr-defined]
+        acceleration = self._inverse @ (force + self.added_mass @ trial.acceleration)
         return kinematics.at_acceleration(acceleration)
 
 
