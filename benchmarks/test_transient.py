@@ -8,7 +8,8 @@ from scipy.sparse.linalg import splu
 
 from squat.config import compose, validate
 from squat.coupling import march
-from squat.fluid.potential import Flow, PotentialFluid
+from squat.fluid.model import Flow
+from squat.fluid.potential import PotentialFluid
 from squat.transient.parts import prepare
 from squat.transient.run import start
 
@@ -37,7 +38,7 @@ def history(parts, case):
 def test_default_run_is_at_least_six_times_faster_than_the_plain_way(capsys):
     case = validate(compose("transient", "current=1")).case
     fast = prepare(case)
-    fluid = fast.problem.fluid
+    fluid = fast.fluid
     plain_fluid = PlainFluid(fluid.mesh, fluid.water, fluid.free_surface, fluid.current)
     plain = replace(fast, problem=replace(fast.problem, fluid=plain_fluid))
     fluid.flow(np.array([0.0]), np.array([0.0]))  # set-up is not the run's

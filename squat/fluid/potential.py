@@ -2,13 +2,14 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
 from squat.errors import InputError
 from squat.fem import AffineStiffness, HullLoads, Space, flux
 from squat.fluid.added_mass import DIRICHLET
+from squat.fluid.model import Coefficients, Flow
 from squat.fluid.pressure import HullPressure
 from squat.fluid.stiffness import MovingSolver
 from squat.mesh import Mesh
@@ -18,25 +19,6 @@ from squat.water import Water
 FreeSurface = Literal["rigid_lid", "zero_pressure", "blend"]
 _EVALUABLE = 0.002
 """Clearance over that at rest, below which not even an iterate is evaluated."""
-
-
-class Flow(NamedTuple):
-    """The flow of one trial motion: where, how fast, and the potential at the nodes (nodes,)."""
-
-    position: Vector
-    velocity: Vector
-    potential: Vector
-
-
-class Coefficients(NamedTuple):
-    """Kinetic energy (V^2 a + 2 V b.q' + q'^T c q')/2 of the water per unit width.
-
-    a [kg/m], b (n,) and c (n, n), the fluid's inertia under this free surface.
-    """
-
-    a: float
-    b: Vector
-    c: Vector
 
 
 @dataclass(eq=False)

@@ -2,19 +2,16 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy import sparse
 
 from squat.fluid.added_mass import hull_nodes
+from squat.fluid.model import Flow
 from squat.mesh import MODES, Mesh
 from squat.mesh.motion import Index
 from squat.quantities import Vector
 from squat.water import Water
-
-if TYPE_CHECKING:
-    from squat.fluid.potential import Flow
 
 # Two Gauss points an edge: exact for the product of two linear functions.
 _POINTS = 0.5 + np.array([-0.5, 0.5]) / np.sqrt(3)
@@ -53,9 +50,7 @@ class HullPressure:
         """Nodes on the hull, from the bow's water line point to the stern's."""
         return hull_nodes(self.mesh)
 
-    def at_points(
-        self, flow: "Flow", rate: Vector, current: float
-    ) -> tuple[Vector, Vector, Vector]:
+    def at_points(self, flow: Flow, rate: Vector, current: float) -> tuple[Vector, Vector, Vector]:
         """Pressure less p_atm (k, 2) [Pa], places (k, 2, 2), and normals by length (k, 2)."""
         submesh, (at_ends, at_corners) = self.mesh.submesh, self._weights
         vertices = submesh.positions(flow.position)
@@ -74,7 +69,7 @@ class HullPressure:
         dx, dz = (ends[:, 1] - ends[:, 0]).T
         return pressure, places, np.stack([dz, -dx], axis=1)
 
-    def force(self, flow: "Flow", rate: Vector, current: float) -> Vector:
+    def force(self, flow: Flow, rate: Vector, current: float) -> Vector:
         """Integral of (p - p_atm) V_i . n over the hull, shape (n,) [N/m]."""
         pressure, places, normal = self.at_points(flow, rate, current)
         arm = places - self.mesh.submesh.center(flow.position)
@@ -90,7 +85,7 @@ class HullPressure:
         ]
         return np.array(along)
 
-    def nodal(self, flow: "Flow", rate: Vector, current: float) -> Vector:
+    def nodal(self, flow: Flow, rate: Vector, current: float) -> Vector:
         """Pressure less p_atm at `nodes`: mean of the edges that meet there [Pa]."""
         pressure, _, _ = self.at_points(flow, rate, current)
         # The linear function through both Gauss points, at the edge's ends.

@@ -9,6 +9,7 @@ from pydantic.dataclasses import dataclass
 from squat.channel import AnyHull, Channel
 from squat.coupling import Accelerator, Criterion, PredictorName, SchemeName
 from squat.dynamics import IntegratorName, TimeGrid
+from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.accuracy import Accuracy
 from squat.fluid.potential import FreeSurface
 from squat.fluid.rates import RateName
@@ -101,5 +102,5 @@ class TransientCase:
 
     def omega(self, added_mass: float) -> float:
         """Eq. (5) with rho g L for 2 rho g S: angular frequency [rad/s] of the time scale."""
-        stiffness = self.water.density * self.water.gravity * self.hull.outline.length
+        stiffness = heave_stiffness(self.water, self.hull.outline.length)
         return math.sqrt(stiffness / (self.mass + added_mass))

@@ -9,6 +9,7 @@
 import numpy as np
 
 from squat.dynamics import INTEGRATORS
+from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.curves import Curves
 from squat.fluid.rates import RATES
 from squat.quantities import Vector
@@ -36,7 +37,7 @@ def factor(case: TransientCase, parts: Parts, curves: Curves, w: float, velocity
     c = curves.values(w)[2]
     _, db, dc = curves.first(w)
     dda, ddb, ddc = curves.second(w)
-    water_plane = case.water.density * case.water.gravity * case.hull.outline.length
+    water_plane = heave_stiffness(case.water, case.hull.outline.length)
     stiffness = water_plane - V**2 * dda / 2 - V * velocity * ddb - velocity**2 * ddc / 2
     change = m_add - s1 * s2 / s3 * c
     change += (s1 - s2) / s3 * dt * (V * db + velocity * dc) - dt**2 / s3 * stiffness

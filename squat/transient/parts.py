@@ -31,6 +31,7 @@ class Parts:
     """The pieces of one run; `added_mass` is m_add [kg/m] of (23) at w = 0."""
 
     problem: ShipProblem
+    fluid: PotentialFluid
     coupling: Coupling
     added_mass: float
     omega: float
@@ -45,7 +46,7 @@ def prepare(case: TransientCase) -> Parts:
     problem = ShipProblem(body, fluid, RATES[case.coupling.potential_rate])
     added = load_added_mass(case)
     omega = case.omega(added)
-    return Parts(problem, _coupling(case, body, added), added, omega, case.time.step(omega))
+    return Parts(problem, fluid, _coupling(case, body, added), added, omega, case.time.step(omega))
 
 
 def _coupling(case: TransientCase, body: RigidBody, added_mass: float) -> Coupling:

@@ -6,7 +6,7 @@ import numpy as np
 
 from squat.coupling import Load
 from squat.dynamics import Motion, RigidBody
-from squat.fluid.potential import Flow, PotentialFluid
+from squat.fluid.model import Flow, FluidModel
 from squat.fluid.rates import Levels, Rate
 from squat.mesh import PositionError
 from squat.quantities import Vector
@@ -17,7 +17,7 @@ class ShipProblem:
     """M_s q'' = weight + pressure force, Eqs. (14) and (15): a `coupling.Problem`."""
 
     body: RigidBody
-    fluid: PotentialFluid
+    fluid: FluidModel
     rate: Rate
 
     @property

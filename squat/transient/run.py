@@ -8,7 +8,7 @@ import xarray as xr
 
 from squat.coupling import State, Step, march
 from squat.fluid.curves import Curves
-from squat.fluid.potential import Flow
+from squat.fluid.model import Flow
 from squat.progress import progress
 from squat.quantities import Vector
 from squat.records import build
@@ -57,7 +57,7 @@ def start(case: TransientCase, parts: Parts) -> State:
 
 def _steps(case: TransientCase, parts: Parts, first: State) -> Iterator[Step]:
     """Steps up to the end, to the first that does not converge, or to grounding."""
-    least = case.grounding * parts.problem.fluid.mesh.submesh.limits.clearance
+    least = case.grounding * parts.fluid.mesh.submesh.limits.clearance
     for step in march(parts.problem, parts.coupling, first, parts.dt, case.time.steps):
         yield step
         if step.status == "converged" and _clearance(parts, step.state) < least:
@@ -65,13 +65,13 @@ def _steps(case: TransientCase, parts: Parts, first: State) -> Iterator[Step]:
 
 
 def _clearance(parts: Parts, state: State) -> float:
-    return parts.problem.fluid.mesh.submesh.limits.clearance + float(state.motion.position[0])
+    return parts.fluid.mesh.submesh.limits.clearance + float(state.motion.position[0])
 
 
 def _status(case: TransientCase, parts: Parts, state: State, failed: Step | None) -> str:
     if failed is not None:
         return failed.status
-    least = case.grounding * parts.problem.fluid.mesh.submesh.limits.clearance
+    least = case.grounding * parts.fluid.mesh.submesh.limits.clearance
     return "grounded" if _clearance(parts, state) < least else "completed"
 
 
@@ -84,8 +84,8 @@ def _dataset(
     )
     time = np.asarray(parts.dt * np.arange(len(states)), float)
     pressures, forces = _on_hull(parts, states)
-    hull = parts.problem.fluid.pressure.nodes
-    points = parts.problem.fluid.mesh.points[hull]
+    hull = parts.fluid.pressure.nodes
+    points = parts.fluid.mesh.points[hull]
     curves = _curves(case, parts)
     roots = load_roots(case)
     data: dict[str, Any] = {
@@ -123,14 +123,14 @@ def _dataset(
 
 
 def _curves(case: TransientCase, parts: Parts) -> Curves:
-    limits = parts.problem.fluid.mesh.submesh.limits
+    limits = parts.fluid.mesh.submesh.limits
     low = (case.grounding / 2 - 1) * limits.clearance
-    return Curves.of(parts.problem.fluid, low, min(limits.draft / 2, limits.wall * 0.9))
+    return Curves.of(parts.fluid, low, min(limits.draft / 2, limits.wall * 0.9))
 
 
 def _on_hull(parts: Parts, states: list[State]) -> tuple[Vector, Vector]:
     """Pressure at the hull's nodes (time, hull_node), and the fluid's force (time,)."""
-    fluid = parts.problem.fluid
+    fluid = parts.fluid
     rows, forces = [], []
     for state in states:
         motion, memory = state.motion, state.memory

@@ -29,7 +29,7 @@ def fields(parts: Parts, states: list[State], interval: int) -> xr.Dataset:
         name: (node, np.array([row[name] for row in rows], dtype=np.float32)) for name in rows[0]
     }
     dataset = xr.Dataset(
-        {**data, "face_node": (("face", "corner"), parts.problem.fluid.mesh.triangles)},
+        {**data, "face_node": (("face", "corner"), parts.fluid.mesh.triangles)},
         {"time": parts.dt * np.array(chosen)},
     )
     for name, (units, long_name) in _ATTRIBUTES.items():
@@ -38,7 +38,7 @@ def fields(parts: Parts, states: list[State], interval: int) -> xr.Dataset:
 
 
 def _snapshot(parts: Parts, state: State) -> dict[str, Vector]:
-    fluid = parts.problem.fluid
+    fluid = parts.fluid
     mesh, motion, memory = fluid.mesh, state.motion, state.memory
     points = mesh.moved(motion.position)
     slopes = gradients(points[mesh.triangles], memory.now[mesh.triangles])

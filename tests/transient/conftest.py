@@ -20,7 +20,7 @@ def ship():
 @pytest.fixture(scope="session")
 def fluid(ship):
     """Fluid of such a case."""
-    return lambda *overrides: prepare(ship(*overrides)).problem.fluid
+    return lambda *overrides: prepare(ship(*overrides)).fluid
 
 
 @pytest.fixture

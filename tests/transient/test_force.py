@@ -7,7 +7,7 @@ from squat.errors import InputError
 from squat.fem import Factorised
 from squat.fluid.curves import Curves
 from squat.fluid.matching import RectangleReference, rigid_modes
-from squat.fluid.potential import Flow
+from squat.fluid.model import Flow
 from squat.mesh import PositionError
 
 

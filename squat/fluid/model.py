@@ -1,0 +1,48 @@
+"""What the coupled run asks of a flow solver."""
+
+from typing import NamedTuple, Protocol
+
+from squat.quantities import Vector
+
+
+class Flow(NamedTuple):
+    """The flow of one trial motion: where, how fast, and the potential at the nodes (nodes,)."""
+
+    position: Vector
+    velocity: Vector
+    potential: Vector
+
+
+class Coefficients(NamedTuple):
+    """Kinetic energy (V^2 a + 2 V b.q' + q'^T c q')/2 of the water per unit width.
+
+    a [kg/m], b (n,) and c (n, n), the fluid's inertia under this free surface.
+    """
+
+    a: float
+    b: Vector
+    c: Vector
+
+
+class FluidModel(Protocol):
+    """A flow solver for n rigid modes in a given current.
+
+    `squat.fluid.potential.PotentialFluid` is the full one; anything else that answers these four
+    questions couples to the ship in the same way.
+    """
+
+    def flow(self, position: Vector, velocity: Vector) -> Flow:
+        """Flow for hull position and velocity, shape (n,) each; PositionError out of reach."""
+        ...
+
+    def force(self, flow: Flow, rate: Vector) -> Vector:
+        """Generalised force (n,) of p - p_atm, given d phi/dt at the moving nodes."""
+        ...
+
+    def coefficients(self, position: Vector) -> Coefficients:
+        """Energy coefficients at `position`."""
+        ...
+
+    def unit_potentials(self, position: Vector) -> tuple[Vector, Vector]:
+        """phi_0 (nodes,) of unit current and phi_j (n, nodes) of unit velocities."""
+        ...
