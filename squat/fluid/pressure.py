@@ -8,7 +8,7 @@ from scipy import sparse
 
 from squat.fluid.added_mass import hull_nodes
 from squat.fluid.model import Flow
-from squat.mesh import MODES, Mesh
+from squat.mesh import Mesh
 from squat.mesh.motion import Index
 from squat.quantities import Vector
 from squat.water import Water
@@ -51,7 +51,7 @@ class HullPressure:
         return hull_nodes(self.mesh)
 
     def at_points(self, flow: Flow, rate: Vector, current: float) -> tuple[Vector, Vector, Vector]:
-        """Pressure less p_atm (k, 2) [Pa], places (k, 2, 2), and normals by length (k, 2)."""
+        """Pressure less p_atm (k, 2) [Pa], the edges' ends (k, 2, 2), normals by length (k, 2)."""
         submesh, (at_ends, at_corners) = self.mesh.submesh, self._weights
         vertices = submesh.positions(flow.position)
         rates = np.tensordot(flow.velocity, submesh.first(flow.position), axes=1)
@@ -59,31 +59,25 @@ class HullPressure:
         gradient = gradients(corners, flow.potential[self.beside])
         ends = (at_ends @ vertices).reshape(-1, 2, 2)
         mesh_velocity = (at_ends @ rates).reshape(-1, 2, 2)
-        places = _SHAPE @ ends
         carried = (mesh_velocity * gradient[:, None]).sum(axis=2)
         unsteady = (rate[self.edges] - carried) @ _SHAPE.T
         rho, g = self.water.density, self.water.gravity
         speed = (gradient**2).sum(axis=1)
-        head = g * (self.mesh.submesh.limits.level - places[..., 1])
+        head = g * (self.mesh.submesh.limits.level - ends[..., 1] @ _SHAPE.T)
         pressure = rho * (head + (current**2 - speed[:, None]) / 2 - unsteady)
         dx, dz = (ends[:, 1] - ends[:, 0]).T
-        return pressure, places, np.stack([dz, -dx], axis=1)
+        return pressure, ends, np.stack([dz, -dx], axis=1)
 
     def force(self, flow: Flow, rate: Vector, current: float) -> Vector:
         """Integral of (p - p_atm) V_i . n over the hull, shape (n,) [N/m]."""
-        pressure, places, normal = self.at_points(flow, rate, current)
-        arm = places - self.mesh.submesh.center(flow.position)
-        fields = {
-            "surge": np.broadcast_to([1.0, 0.0], arm.shape),
-            "heave": np.broadcast_to([0.0, 1.0], arm.shape),
-            "pitch": np.stack([-arm[..., 1], arm[..., 0]], axis=-1),
-        }
-        along = [
-            (pressure * (fields[mode] * normal[:, None]).sum(axis=2)).sum() / 2
-            for mode in MODES
-            if mode in self.mesh.submesh.modes
-        ]
-        return np.array(along)
+        pressure, ends, normal = self.at_points(flow, rate, current)
+        along = normal * (pressure.sum(axis=1) / 2)[:, None]
+        parts = {"surge": along[:, 0].sum(), "heave": along[:, 1].sum()}
+        if "pitch" in self.mesh.submesh.modes:
+            arm = _SHAPE @ (ends - self.mesh.submesh.center(flow.position))
+            turning = arm[..., 0] * normal[:, [1]] - arm[..., 1] * normal[:, [0]]
+            parts["pitch"] = (pressure * turning).sum() / 2
+        return np.array([parts[mode] for mode in self.mesh.submesh.modes])
 
     def nodal(self, flow: Flow, rate: Vector, current: float) -> Vector:
         """Pressure less p_atm at `nodes`: mean of the edges that meet there [Pa]."""

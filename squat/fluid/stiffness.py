@@ -39,7 +39,7 @@ class MovingSolver:
     factorisations: int = 0
     residual: float = 0.0
     _factor: SuperLU | None = field(default=None, repr=False)
-    _recent: list[Vector] = field(default_factory=list, repr=False)
+    _recent: Vector | None = field(default=None, repr=False)
 
     @cached_property
     def free(self) -> Index:
@@ -78,21 +78,21 @@ class MovingSolver:
         return out
 
     def _start(self, matrix: sparse.csc_array, right: Vector) -> Vector:
-        if not self._recent:
+        basis = self._recent
+        if basis is None:
             return np.zeros_like(right)
-        basis = np.array(self._recent)
         projected = basis @ (matrix @ basis.T)
         return np.asarray(np.linalg.solve(projected, basis @ right) @ basis)
 
     def _remember(self, x: Vector) -> None:
         """Add the part of `x` that is new to the orthonormal basis of recent solutions."""
         size = float(np.sqrt(x @ x))
-        basis = np.array(self._recent).reshape(-1, len(x))
+        basis = np.empty((0, len(x))) if self._recent is None else self._recent
         rest = x
         for _ in range(2):  # twice is enough
             rest = rest - (basis @ rest) @ basis
         if (new := float(np.sqrt(rest @ rest))) > _INDEPENDENT * size:
-            self._recent = [rest / new, *self._recent[: _RECENT - 1]]
+            self._recent = np.vstack([rest / new, basis[: _RECENT - 1]])
 
     def _factorise(self, matrix: sparse.csc_array) -> SuperLU:
         self.factorisations += 1

@@ -9,6 +9,7 @@ x = F_x - (H - F_z) tan(theta), and a point of the bottom stays below its hull p
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -56,20 +57,20 @@ class RigidMotion:
         moved[water, 1] = self.level
         return self._on_bed(moved, moved - self.rest, self.rest)
 
-    def first(self, q: Vector) -> Vector:
-        """dX/dq_k, shape (3, nc, 2)."""
+    def first(self, q: Vector, modes: Sequence[int] = (0, 1, 2)) -> Vector:
+        """dX/dq_k for the places k of `modes` in q, shape (modes, nc, 2)."""
         arm = self.rest - self.center
-        out = np.zeros((3, *arm.shape))
+        out = np.zeros((len(modes), *arm.shape))
         foot, water = self._feet(self.positions(q))
         tan, sec2 = math.tan(q[2]), 1 / math.cos(q[2]) ** 2
-        for k in range(3):
+        for place, k in enumerate(modes):
             rate = np.eye(3)[k, :2] if k < 2 else arm @ _turn(q[2] + math.pi / 2).T
             moved = self._spread(np.broadcast_to(rate, arm.shape), np.zeros_like(arm))
             feet, _ = self._feet(moved)
             moved[water, 0] = feet[:, 0] + feet[:, 1] * tan
             if k == 2:
                 moved[water, 0] -= (self.level - foot[:, 1]) * sec2
-            out[k] = self._on_bed(moved, moved, np.zeros_like(arm))
+            out[place] = self._on_bed(moved, moved, np.zeros_like(arm))
         return out
 
     def second(self, q: Vector) -> Vector:

@@ -71,10 +71,9 @@ class Submesh:
 
     def check(self, q: Vector) -> None:
         """Raise PositionError, naming the reason, unless `q` is admissible."""
-        full = self.full(q)
-        if not np.all(np.isfinite(full)):
-            raise PositionError(f"position={full.tolist()}: must be finite")
-        moved = self.motion.positions(full)
+        self.positions(q)
+
+    def _refuse(self, full: Vector, moved: Vector) -> None:
         self.limits.check(full, moved[self.hull], clearance(moved[self.keel], self.bed))
         if self.areas(moved).min() <= 0:
             raise FoldedError(
@@ -87,8 +86,12 @@ class Submesh:
         return self._remembered("positions", q, self._checked)
 
     def _checked(self, q: Vector) -> Vector:
-        self.check(q)
-        return self.motion.positions(self.full(q))
+        full = self.full(q)
+        if not np.all(np.isfinite(full)):
+            raise PositionError(f"position={full.tolist()}: must be finite")
+        moved = self.motion.positions(full)
+        self._refuse(full, moved)
+        return moved
 
     def _remembered(self, name: str, q: Vector, make: Callable[[Vector], Vector]) -> Vector:
         """`make(q)`, kept for the last q: stiffness, loads and pressure ask in turn."""
@@ -102,7 +105,7 @@ class Submesh:
 
     def first(self, q: Vector) -> Vector:
         """dX/dq_k of the coarse vertices, shape (modes, nc, 2)."""
-        return self._remembered("first", q, lambda q: self.motion.first(self.full(q))[self.free])
+        return self._remembered("first", q, lambda q: self.motion.first(self.full(q), self.free))
 
     def second(self, q: Vector) -> Vector:
         """d2X/dq_k dq_l of the coarse vertices, shape (modes, modes, nc, 2)."""
