@@ -7,11 +7,13 @@ from functools import cache
 import numpy as np
 import pytest
 from pydantic import TypeAdapter
+from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from squat.channel import AnyHull, Channel
 from squat.config import compose
 from squat.fem import AffineStiffness, Factorised, HullLoads
+from squat.fluid.stiffness import MovingSolver
 from squat.mesh import MeshSize, subdivided, submesh
 from squat.mesh.generate import generate
 
@@ -100,6 +102,61 @@ def test_symmetric_minimum_degree_against_other_orderings(benchmark, order):
         lambda: splu(inner, permc_spec="MMD_AT_PLUS_A", **symmetric),
         5,
     )
+
+
+def free_block(q):
+    free = np.setdiff1d(np.arange(paper().space.size), paper().space.dofs("In"))
+    return paper().at(q)[free][:, free].tocsc(), free
+
+
+def superlu(matrix):
+    options = {"SymmetricMode": True}
+    return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+
+
+@pytest.mark.parametrize("moved", [0.02, 0.5])
+def test_a_new_factor_against_conjugate_gradients_on_a_kept_one(benchmark, moved):
+    """After the ship moved by `moved` [m]; kept to the solver's own relative residual."""
+    solver = MovingSolver(paper(), paper().space.dofs("In"))
+    load = HullLoads(paper().mesh, paper().space).at(Q)[1]
+    solver.solve(paper().theta(Q), load)
+    first, place = solver._factor, np.add(Q, [0, moved, 0])
+    theta = paper().theta(place)
+    inner, free = free_block(place)
+
+    def kept():
+        solver._factor, solver._recent = first, None  # no help of other solutions
+        return solver.solve(theta, load)
+
+    assert ratio(benchmark, lambda: superlu(inner).solve(load[free]), kept) > 1 or moved > 0.1
+
+
+@pytest.mark.parametrize("library", ["qdldl", "cvxopt"])
+def test_superlu_against_symmetric_factorisations(benchmark, library):
+    """Only where the library is installed; none is a dependency."""
+    module = pytest.importorskip(library)
+    inner, free = free_block(Q)
+    load = HullLoads(paper().mesh, paper().space).at(Q)[1][free]
+    if library == "qdldl":
+        upper = sparse.csc_matrix(sparse.triu(inner))
+
+        def other():
+            return module.Solver(upper, upper=True).solve(load)
+    else:
+        cholmod = pytest.importorskip("cvxopt.cholmod")
+        coo = inner.tocoo()
+        matrix = module.spmatrix(coo.data, coo.row.tolist(), coo.col.tolist(), inner.shape)
+        symbol = cholmod.symbolic(matrix)
+
+        def other():
+            right = module.matrix(load)
+            cholmod.numeric(matrix, symbol)
+            cholmod.solve(symbol, right)
+            return np.array(right).ravel()
+
+    expected = superlu(inner).solve(load)
+    assert np.abs(other() - expected).max() < 1e-9 * np.abs(expected).max()
+    ratio(benchmark, lambda: superlu(inner).solve(load), other)
 
 
 def test_cost_up_to_three_hundred_thousand_nodes(benchmark):
