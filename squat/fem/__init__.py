@@ -1,7 +1,7 @@
 """Finite elements: stiffness in affine form, loads of rigid motion, solves with a residual."""
 
 from squat.fem.affine import AffineStiffness
-from squat.fem.loads import HullLoads, flux
+from squat.fem.loads import HullLoads, edge_normals, flux
 from squat.fem.solve import Factorised, Solution, SolveError
 from squat.fem.space import Space
 
@@ -12,5 +12,6 @@ __all__ = [
     "Solution",
     "SolveError",
     "Space",
+    "edge_normals",
     "flux",
 ]

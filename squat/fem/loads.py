@@ -26,19 +26,19 @@ class HullLoads:
         """r_j(q), shape (modes, size)."""
         ends = self._ends(self.mesh.moved(q))
         fields = self._fields(ends - self.mesh.submesh.center(q))
-        return np.stack([self._spread(V, _normal(ends)) for V in fields])
+        return np.stack([self._spread(V, edge_normals(ends)) for V in fields])
 
     def derivatives(self, q: Vector) -> Vector:
         """dr_j/dq_k, shape (modes j, modes k, size), exact."""
         ends = self._ends(self.mesh.moved(q))
-        normal = _normal(ends)
+        normal = edge_normals(ends)
         arm = ends - self.mesh.submesh.center(q)
         fields = self._fields(arm)
         out = np.zeros((len(fields), len(fields), self.space.size))
         for k, rate in enumerate(map(self._ends, self.mesh.velocities(q))):
             turning = self._fields(rate - self._center_rate(k), homogeneous=True)
             for j, (V, dV) in enumerate(zip(fields, turning, strict=True)):
-                out[j, k] = self._spread(V, _normal(rate)) + self._spread(dV, normal)
+                out[j, k] = self._spread(V, edge_normals(rate)) + self._spread(dV, normal)
         return out
 
     def _ends(self, values: Vector) -> Vector:
@@ -65,11 +65,11 @@ class HullLoads:
 
 def flux(space: Space, name: str) -> Vector:
     """int N ds over a boundary, shape (size,): the load of unit outflow."""
-    lengths = np.linalg.norm(_normal(space.points[space.boundary[name]]), axis=1)
+    lengths = np.linalg.norm(edge_normals(space.points[space.boundary[name]]), axis=1)
     return space.spread(name, np.repeat(lengths[:, None], 2, axis=1))
 
 
-def _normal(ends: Vector) -> Vector:
+def edge_normals(ends: Vector) -> Vector:
     """Length-weighted normals (k, 2) out of the water, of edges (k, 2 ends, 2)."""
     dx, dz = (ends[:, 1] - ends[:, 0]).T
     return np.stack([dz, -dx], axis=1)

@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from squat.fem import AffineStiffness, Factorised, HullLoads, Solution, Space
+from squat.fem import AffineStiffness, Factorised, HullLoads, Solution, Space, edge_normals
 from squat.fluid.hull_modes import HullMode
 from squat.mesh import Mesh
 from squat.mesh.motion import Index
@@ -98,8 +98,7 @@ def nodal_matrix(mesh: Mesh, free_surface: FreeSurface) -> Vector:
     """
     space = Space.on(mesh, 1)
     edges, nodes = mesh.boundary["Ship"], hull_nodes(mesh)
-    ends = mesh.points[edges]
-    normal = np.stack([ends[:, 1, 1] - ends[:, 0, 1], ends[:, 0, 0] - ends[:, 1, 0]], axis=1)
+    normal = edge_normals(mesh.points[edges])
     loads = np.zeros((2, len(nodes), space.size))
     for axis in range(2):
         for place, node in enumerate(nodes):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from squat.fem import Space
+from squat.fem import Space, edge_normals
 from squat.mesh import Mesh
 from squat.quantities import Vector
 
@@ -22,9 +22,10 @@ class HullMode:
     def load(self, mesh: Mesh, space: Space) -> Vector:
         """r = int_Ship V . n N ds, shape (size,); V linear between the nodes of an edge."""
         ends = mesh.points[mesh.boundary["Ship"]]
-        normal = np.stack([ends[:, 1, 1] - ends[:, 0, 1], ends[:, 0, 0] - ends[:, 1, 0]], axis=1)
         velocity = np.asarray(self.field(ends))
-        return np.asarray(space.spread("Ship", (velocity * normal[:, None]).sum(axis=-1)))
+        return np.asarray(
+            space.spread("Ship", (velocity * edge_normals(ends)[:, None]).sum(axis=-1))
+        )
 
 
 def bending(number: int, bow: float, length: float) -> HullMode:

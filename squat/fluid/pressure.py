@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from scipy import sparse
 
+from squat.fem import edge_normals
 from squat.fluid.added_mass import hull_nodes
 from squat.fluid.model import Flow
 from squat.mesh import Mesh
@@ -65,8 +66,7 @@ class HullPressure:
         speed = (gradient**2).sum(axis=1)
         head = g * (self.mesh.submesh.limits.level - ends[..., 1] @ _SHAPE.T)
         pressure = rho * (head + (current**2 - speed[:, None]) / 2 - unsteady)
-        dx, dz = (ends[:, 1] - ends[:, 0]).T
-        return pressure, ends, np.stack([dz, -dx], axis=1)
+        return pressure, ends, edge_normals(ends)
 
     def force(self, flow: Flow, rate: Vector, current: float) -> Vector:
         """Integral of (p - p_atm) V_i . n over the hull, shape (n,) [N/m]."""

@@ -36,11 +36,13 @@ def test_run_is_three_linear_periods_of_seventy_steps(ship):
 
 @pytest.mark.parametrize("current", [0.5, 1, 2, 2.5])
 def test_standard_scheme_diverges_in_the_first_step_at_every_speed(ship, current):
-    data = run(ship(f"current={current}", "coupling=printed_standard")).dataset
+    # Short steps keep the first iterates near w(0), where G is predicted.
+    small = "time.steps_per_period=280", "time.periods=0.1"
+    data = run(ship(f"current={current}", "coupling=printed_standard", *small)).dataset
     assert data.attrs["status"] == "diverged"
     assert data.sizes["time"] == 1
     assert float(data["failed_contraction"]) == pytest.approx(
-        float(data["predicted_contraction"][0]), abs=0.03
+        float(data["predicted_contraction"][0]), abs=0.01
     )
 
 
