@@ -24,6 +24,29 @@ class Coefficients(NamedTuple):
     c: Vector
 
 
+class Slopes(NamedTuple):
+    """Derivatives of the energy coefficients by the coordinates q_k, k last.
+
+    a (n,): da/dq_k; b (n, n): db_j/dq_k at [j, k]; c (n, n, n): dc_ij/dq_k at [i, j, k].
+    """
+
+    a: Vector
+    b: Vector
+    c: Vector
+
+
+class EnergyModel(Protocol):
+    """The water's kinetic energy as a function of the hull's position."""
+
+    def coefficients(self, position: Vector) -> Coefficients:
+        """Energy coefficients at `position`, shape (n,)."""
+        ...
+
+    def slopes(self, position: Vector) -> Slopes:
+        """Their derivatives at `position`."""
+        ...
+
+
 class FluidModel(Protocol):
     """A flow solver for n rigid modes in a given current.
 
