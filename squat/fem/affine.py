@@ -17,9 +17,35 @@ import skfem
 from scipy import sparse
 
 from squat.fem.space import Space
-from squat.mesh import Mesh
+from squat.mesh import Mesh, Submesh
 from squat.mesh.motion import Index
 from squat.quantities import Vector
+
+
+@dataclass(frozen=True, eq=False)
+class ZoneMetrics:
+    """G_z(q) = det(F) (F^T F)^-1 of the coarse triangles, and dG_z/dq_k; no fine mesh needed."""
+
+    submesh: Submesh
+
+    def at(self, q: Vector) -> Vector:
+        """G, shape (nz, d, d); raises PositionError where `q` is inadmissible."""
+        return metric(self._gradient(self.submesh.positions(q)))
+
+    def derivatives(self, q: Vector) -> Vector:
+        """dG/dq_k, shape (modes, nz, d, d)."""
+        F = self._gradient(self.submesh.positions(q))
+        rates = self.submesh.first(q)
+        return np.stack([metric_derivative(F, self._gradient(rate)) for rate in rates])
+
+    def _gradient(self, vertices: Vector) -> Vector:
+        """F (nz, d, d) of the map that takes the coarse vertices at rest to `vertices`."""
+        return _edges(vertices[self.submesh.triangles]) @ self._inverse
+
+    @cached_property
+    def _inverse(self) -> Vector:
+        submesh = self.submesh
+        return np.asarray(np.linalg.inv(_edges(submesh.rest[submesh.triangles])), float)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,15 +87,18 @@ class AffineStiffness:
         """Number of terms of the affine form."""
         return int(self._parts[1].shape[1])
 
+    @cached_property
+    def zones(self) -> "ZoneMetrics":
+        """The coefficients, from the coarse triangles alone."""
+        return ZoneMetrics(self.mesh.submesh)
+
     def theta(self, q: Vector) -> Vector:
         """Coefficients theta_j(q), shape (terms,)."""
-        return self._metric(self.mesh.submesh.positions(q))
+        return flat(self.zones.at(q))
 
     def theta_derivative(self, q: Vector) -> Vector:
         """d theta_j/dq_k, shape (modes, terms)."""
-        moved, rates = self.mesh.submesh.positions(q), self.mesh.submesh.first(q)
-        F = self._gradient(moved)
-        return np.stack([self._entries(metric_derivative(F, self._gradient(r))) for r in rates])
+        return flat(self.zones.derivatives(q))
 
     def matrix(self, theta: Vector) -> sparse.csc_array:
         """sum_j theta_j K_j for any coefficients (terms,); a new matrix, in the shared pattern."""
@@ -98,27 +127,17 @@ class AffineStiffness:
         """dK/dq_k for each mode, exact."""
         return [self.matrix(rates) for rates in self.theta_derivative(q)]
 
-    def _gradient(self, vertices: Vector) -> Vector:
-        """F (nz, d, d) of the map that takes the coarse vertices at rest to `vertices`."""
-        return _edges(vertices[self.mesh.submesh.triangles]) @ self._inverse
-
-    @cached_property
-    def _inverse(self) -> Vector:
-        submesh = self.mesh.submesh
-        return np.asarray(np.linalg.inv(_edges(submesh.rest[submesh.triangles])), float)
-
-    def _metric(self, vertices: Vector) -> Vector:
-        return self._entries(metric(self._gradient(vertices)))
-
-    @staticmethod
-    def _entries(G: Vector) -> Vector:
-        entries = metric_entries(G.shape[-1])
-        return np.stack([G[:, a, b] for a, b in entries], axis=1).ravel()
-
 
 def metric_entries(dim: int) -> list[tuple[int, int]]:
     """Entries of a symmetric matrix that make it: (0, 0), (0, 1), (1, 1) in two dimensions."""
     return list(combinations_with_replacement(range(dim), 2))
+
+
+def flat(G: Vector) -> Vector:
+    """The entries of metrics (..., nz, d, d) in the order of theta, shape (..., terms)."""
+    entries = metric_entries(G.shape[-1])
+    rows = np.stack([G[..., a, b] for a, b in entries], axis=-1)
+    return rows.reshape(*G.shape[:-3], -1)
 
 
 def metric(F: Vector) -> Vector:
