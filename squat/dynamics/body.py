@@ -1,5 +1,6 @@
 """The ship as a rigid body per unit width."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ from squat.quantities import Vector
 
 @dataclass(frozen=True)
 class RigidBody:
-    """M_s = diag(m, m, I_G) restricted to the modes, and the weight.
+    """Mass matrix M_s(q) of the modes and the weight, for pitch about any point.
 
     Parameters
     ----------
@@ -18,23 +19,63 @@ class RigidBody:
     mass
         m [kg/m].
     inertia
-        I_G about the pitch centre [kg m].
+        I about the pitch centre [kg m].
     gravity
         g [m/s2].
+    offset
+        Centre of mass less pitch centre at rest (x, z) [m]; (0, 0) makes M_s constant.
     """
 
     modes: tuple[str, ...]
     mass: float
     inertia: float
     gravity: float
+    offset: tuple[float, float] = (0.0, 0.0)
 
     @property
     def matrix(self) -> Vector:
-        """Structural mass matrix, shape (n, n)."""
-        every = {"surge": self.mass, "heave": self.mass, "pitch": self.inertia}
-        return np.diag([every[mode] for mode in self.modes])
+        """Structural mass matrix at rest, shape (n, n)."""
+        return self.mass_matrix(np.zeros(len(self.modes)))
 
     @property
     def weight(self) -> Vector:
-        """Generalised force of gravity, shape (n,) [N/m]."""
-        return np.array([-self.mass * self.gravity if m == "heave" else 0.0 for m in self.modes])
+        """Generalised force of gravity at rest, shape (n,) [N/m]."""
+        return -self.height_gradient(np.zeros(len(self.modes))) * self.mass * self.gravity
+
+    def mass_matrix(self, q: Vector) -> Vector:
+        """M_s(q), shape (n, n): the centre of mass moves with (s', w') + theta' (-e_z, e_x)."""
+        x, z = self._arm(q)
+        m = self.mass
+        full = np.array([[m, 0.0, -m * z], [0.0, m, m * x], [-m * z, m * x, self.inertia]])
+        return full[np.ix_(self._free, self._free)]
+
+    def mass_gradient(self, q: Vector) -> Vector:
+        """dM_s,ij/dq_k at [i, j, k], shape (n, n, n): only pitch changes M_s."""
+        out = np.zeros((len(self.modes),) * 3)
+        if "pitch" in self.modes:
+            x, z = self._arm(q)
+            m = self.mass
+            full = np.array([[0.0, 0.0, -m * x], [0.0, 0.0, -m * z], [-m * x, -m * z, 0.0]])
+            out[:, :, self.modes.index("pitch")] = full[np.ix_(self._free, self._free)]
+        return out
+
+    def height(self, q: Vector) -> float:
+        """Height of the centre of mass over the rest position of the pitch centre [m]."""
+        heave = float(q[self.modes.index("heave")]) if "heave" in self.modes else 0.0
+        return heave + self._arm(q)[1]
+
+    def height_gradient(self, q: Vector) -> Vector:
+        """dz_G/dq_i, shape (n,)."""
+        full = np.array([0.0, 1.0, self._arm(q)[0]])
+        return full[self._free]
+
+    @property
+    def _free(self) -> list[int]:
+        return [("surge", "heave", "pitch").index(mode) for mode in self.modes]
+
+    def _arm(self, q: Vector) -> tuple[float, float]:
+        """Centre of mass less pitch centre (x, z) [m], turned by the pitch of q."""
+        x, z = self.offset
+        angle = float(q[self.modes.index("pitch")]) if "pitch" in self.modes else 0.0
+        cos, sin = math.cos(angle), math.sin(angle)
+        return cos * x - sin * z, sin * x + cos * z

@@ -1,8 +1,20 @@
 """What the coupled run asks of a flow solver."""
 
-from typing import NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
+from squat.errors import InputError
 from squat.quantities import Vector
+
+FreeSurface = Literal["rigid_lid", "zero_pressure", "blend"]
+
+
+def check_current(free_surface: FreeSurface, current: float) -> None:
+    """Raise InputError where no current reaches the hull."""
+    if free_surface == "zero_pressure" and current != 0:
+        raise InputError(
+            f"free_surface=zero_pressure: no current={current:g} reaches the hull under "
+            "it; give rigid_lid, blend, or current=0"
+        )
 
 
 class Flow(NamedTuple):
@@ -37,6 +49,11 @@ class Slopes(NamedTuple):
 
 class EnergyModel(Protocol):
     """The water's kinetic energy as a function of the hull's position."""
+
+    @property
+    def free_surface(self) -> FreeSurface:
+        """What the water's surface is taken for."""
+        ...
 
     def coefficients(self, position: Vector) -> Coefficients:
         """Energy coefficients at `position`, shape (n,)."""

@@ -1,22 +1,21 @@
 """Potential flow around the moving hull, Eqs. (18) to (21), and its force on the hull, Eq. (15)."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
 from squat.errors import InputError
 from squat.fem import AffineStiffness, HullLoads, Space, flux
 from squat.fluid.added_mass import DIRICHLET
-from squat.fluid.model import Coefficients, Flow
+from squat.fluid.model import Coefficients, Flow, FreeSurface, Slopes, check_current
 from squat.fluid.pressure import HullPressure
 from squat.fluid.stiffness import MovingSolver
+from squat.fluid.variational import UnitFlows
 from squat.mesh import Mesh
 from squat.quantities import Vector
 from squat.water import Water
 
-FreeSurface = Literal["rigid_lid", "zero_pressure", "blend"]
 _EVALUABLE = 0.002
 """Clearance over that at rest, below which not even an iterate is evaluated."""
 
@@ -38,13 +37,10 @@ class PotentialFluid:
     water: Water
     free_surface: FreeSurface
     current: float
+    _last: UnitFlows | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        if self.free_surface == "zero_pressure" and self.current != 0:
-            raise InputError(
-                f"free_surface=zero_pressure: no current={self.current:g} reaches the hull under "
-                "it; give rigid_lid, blend, or current=0"
-            )
+        check_current(self.free_surface, self.current)
         if self.mesh.order != 1:
             raise InputError(f"mesh.order={self.mesh.order}: pressure is integrated on P1; give 1")
         limits = replace(self.mesh.submesh.limits, fraction=_EVALUABLE)
@@ -108,15 +104,37 @@ class PotentialFluid:
 
     def unit_potentials(self, position: Vector) -> tuple[Vector, Vector]:
         """phi_0 (nodes,) of unit current and phi_j (n, nodes) of unit velocities."""
-        theta = self._affine.theta(position)
-        current = self._lid.solve(theta, self.inflow)
-        unit = [self._motion.solve(theta, load) for load in self._loads.at(position)]
-        return current, np.array(unit)
+        flows = self.unit_flows(position)
+        return flows.current, flows.unit
+
+    def unit_flows(self, position: Vector) -> UnitFlows:
+        """Flows of unit speed at `position`, kept for the last one asked for.
+
+        Raises
+        ------
+        PositionError
+            Where the mesh cannot follow.
+        """
+        last = self._last
+        if last is None or not np.array_equal(last.position, position):
+            theta, loads = self._affine.theta(position), self._loads.at(position)
+            current = self._lid.solve(theta, self.inflow)
+            unit = np.array([self._motion.solve(theta, load) for load in loads])
+            last = self._last = UnitFlows(np.array(position), theta, loads, current, unit)
+        return last
+
+    @property
+    def _crossed(self) -> bool:
+        """Whether current and hull motion share one free surface: b = 0 otherwise."""
+        return self.free_surface == "rigid_lid"
 
     def coefficients(self, position: Vector) -> Coefficients:
         """Energy coefficients a, b, c at `position`."""
-        rho, loads = self.water.density, self._loads.at(position)
-        current, unit = self.unit_potentials(position)
-        c = rho * loads @ unit.T
-        b = rho * loads @ current if self.free_surface == "rigid_lid" else np.zeros(len(loads))
-        return Coefficients(rho * float(self.inflow @ current), b, (c + c.T) / 2)
+        flows = self.unit_flows(position)
+        return flows.coefficients(self.water.density, self.inflow, crossed=self._crossed)
+
+    def slopes(self, position: Vector) -> Slopes:
+        """Their derivatives by q_k, exact for the mesh: the affine form holds K and its slopes."""
+        flows = self.unit_flows(position)
+        stiffness, loads = self._affine.derivatives(position), self._loads.derivatives(position)
+        return flows.slopes(self.water.density, stiffness, loads, crossed=self._crossed)

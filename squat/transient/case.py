@@ -11,7 +11,7 @@ from squat.coupling import Accelerator, Criterion, PredictorName, SchemeName
 from squat.dynamics import IntegratorName, TimeGrid
 from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.accuracy import Accuracy
-from squat.fluid.potential import FreeSurface
+from squat.fluid.model import FreeSurface
 from squat.fluid.rates import RateName
 from squat.mesh import MeshSize
 from squat.quantities import STRICT, Fraction, Position, Speed
