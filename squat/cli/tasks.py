@@ -53,13 +53,24 @@ def run_task(valid: Valid, folder: Path) -> None:
         write(valid.case, path)
         _log.info("%s: written", path)
         return
+    records.claim(path)
     if task == "transient":
-        dataset, fields = transient.run(valid.case)
-        groups = {} if fields is None else {"fields": fields}
+        dataset = _transient(valid, path, started)
     else:
-        dataset, groups = DATASETS[task](valid.case), {}
-    records.save(dataset, path, valid.config, started, groups)
+        dataset = DATASETS[task](valid.case)
+        records.save(dataset, path, valid.config, started)
     _log.info("%s: written%s", path, _headline(dataset))
+
+
+def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
+    segments = records.Segments.beside(path, records.strict_identity(valid.config))
+    if valid.settings.redo:
+        segments.clear()
+    dataset, fields = transient.run(valid.case, segments)
+    groups = {} if fields is None else {"fields": fields}
+    records.save(dataset, path, valid.config, started, groups)
+    segments.clear()
+    return dataset
 
 
 def _headline(dataset: xr.Dataset) -> str:

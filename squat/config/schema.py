@@ -19,6 +19,7 @@ from squat.fluid.sensitivity import SensitivityCase
 from squat.mesh.case import MeshCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
+from squat.records.identity import HOUSEKEEPING
 from squat.stability.run import EquilibriaCase
 from squat.transient import TransientCase
 
@@ -49,11 +50,14 @@ class Settings:
         File to write; None: `<task>.nc` (or `.csv`, `.png`) in the working directory.
     log_level
         Least severe message shown.
+    redo
+        Neither skip complete jobs of a multirun nor go on from segments.
     """
 
     task: str
     out: str | None
     log_level: Literal["debug", "info", "warning", "error"]
+    redo: bool
 
 
 class Valid(NamedTuple):
@@ -67,7 +71,7 @@ class Valid(NamedTuple):
 _SIZE = re.compile(
     r"Tuple should have (?P<size>.+?)(?: after validation)?, not (?P<given>\d+)", re.ASCII
 )
-_SETTINGS = ("task", "out", "log_level")
+_SETTINGS = ("task", *HOUSEKEEPING)
 
 
 @cache

@@ -1,6 +1,6 @@
 """What the coupled run asks of a flow solver."""
 
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 from squat.errors import InputError
 from squat.quantities import Vector
@@ -86,3 +86,18 @@ class FluidModel(Protocol):
     def unit_potentials(self, position: Vector) -> tuple[Vector, Vector]:
         """phi_0 (nodes,) of unit current and phi_j (n, nodes) of unit velocities."""
         ...
+
+
+@runtime_checkable
+class Remembering(Protocol):
+    """A model whose answers depend, within rounding, on what it was asked before."""
+
+    def forget(self) -> None:
+        """Answer from now on as a new object would."""
+        ...
+
+
+def forget(model: object) -> None:
+    """Make `model` answer as a new one would; models without history need no method for it."""
+    if isinstance(model, Remembering):
+        model.forget()

@@ -79,6 +79,11 @@ class PotentialFluid:
         """Pressure on the hull and its generalised force."""
         return HullPressure(self.mesh, self.water)
 
+    def forget(self) -> None:
+        """Answer from now on as a new object would: no kept factor, no recent solutions."""
+        self._lid.forget()
+        self._motion.forget()
+
     def flow(self, position: Vector, velocity: Vector) -> Flow:
         """Potential for hull position and velocity, shape (n,) each.
 

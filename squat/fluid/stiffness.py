@@ -50,6 +50,11 @@ class MovingSolver:
     def _inner(self) -> tuple[sparse.csc_array, sparse.csr_array]:
         return self.affine.block(self.free)
 
+    def forget(self) -> None:
+        """Answer from now on as a new solver would, bit for bit."""
+        self._factor = None
+        self._recent = None
+
     def matrix(self, theta: Vector) -> sparse.csc_array:
         """Free block of sum theta_j K_j; its data last until the next call."""
         pattern, assemble = self._inner

@@ -1,19 +1,25 @@
 """Datasets on disk: self-describing, written whole or not at all, checked when read."""
 
-from squat.records.files import atomic, read, read_group, save
+from squat.records.files import atomic, claim, read, read_group, save
+from squat.records.identity import identity, strict_identity
 from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
 from squat.records.schema import Kind, Variable, build
+from squat.records.segments import Segments
 
 __all__ = [
     "KINDS",
     "Kind",
+    "Segments",
     "Variable",
     "atomic",
     "build",
+    "claim",
     "config_of",
+    "identity",
     "plain",
     "read",
     "read_group",
     "save",
+    "strict_identity",
 ]

@@ -38,11 +38,31 @@ def atomic(path: Path) -> Iterator[Path]:
         yield temporary
         _finish(temporary, path)
     except OSError as error:
-        reason = error.strerror or str(error).splitlines()[0]
-        raise InputError(f"{path}: cannot be written ({reason}); give another out=FILE") from error
+        raise _unwritable(path, error) from error
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
+
+
+def claim(path: Path) -> None:
+    """Make the folder of `path`, and refuse at once what could not be written after a long run.
+
+    Raises
+    ------
+    InputError
+        Where the folder cannot be made or written to.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _unwritable(path, error) from error
+    if not os.access(path.parent, os.W_OK):
+        raise _unwritable(path, PermissionError(0, "the folder is read-only"))
+
+
+def _unwritable(path: Path, error: OSError) -> InputError:
+    reason = error.strerror or str(error).splitlines()[0]
+    return InputError(f"{path}: cannot be written ({reason}); give another out=FILE")
 
 
 def _finish(temporary: Path, path: Path) -> None:

@@ -14,7 +14,7 @@ from squat.fluid.accuracy import Accuracy
 from squat.fluid.model import FreeSurface
 from squat.fluid.rates import RateName
 from squat.mesh import MeshSize
-from squat.quantities import STRICT, Fraction, Position, Speed
+from squat.quantities import STRICT, Fraction, NonNegative, Position, Speed
 from squat.water import Water
 
 
@@ -66,6 +66,37 @@ class Inputs:
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
+class Duration(TimeGrid):
+    """When a run ends, if it does not end early.
+
+    Parameters
+    ----------
+    until
+        `end`: after `periods`. `turn`: at the first turning point too, the first step in which
+        the ship moves against the direction that it set out in.
+    """
+
+    until: Literal["end", "turn"]
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Restart:
+    """Where a run that was killed goes on when it is started again.
+
+    Parameters
+    ----------
+    interval
+        Steps between two points at which it can go on; 0: none. At each of them the flow solver
+        forgets its factor and start vectors, killed or not, so that the bytes are the same.
+    pause
+        Least wall time between writing two of them [s].
+    """
+
+    interval: Annotated[int, Field(strict=True, ge=0)]
+    pause: NonNegative
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
 class TransientCase:
     """The ship of section 3.6, or another, set free in a current.
 
@@ -88,11 +119,12 @@ class TransientCase:
     accuracy: Accuracy
     current: Speed
     free_surface: FreeSurface
-    time: TimeGrid
+    time: Duration
     coupling: CouplingChoice
     initial_heave: Position
     grounding: Fraction
     snapshots: Annotated[int, Field(strict=True, ge=0)]
+    restart: Restart
     inputs: Inputs
 
     @property

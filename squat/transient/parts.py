@@ -12,6 +12,7 @@ from squat.coupling import PREDICTORS, Coupling, corrected, standard
 from squat.dynamics import INTEGRATORS, RigidBody
 from squat.errors import InputError
 from squat.fluid.accuracy import accurate
+from squat.fluid.model import forget
 from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES
 from squat.mesh import Mesh, submesh
@@ -36,6 +37,11 @@ class Parts:
     added_mass: float
     omega: float
     dt: float
+
+    def forget(self) -> None:
+        """Let the flow solvers answer as new ones would."""
+        forget(self.problem.fluid)
+        forget(self.fluid)
 
 
 def prepare(case: TransientCase) -> Parts:

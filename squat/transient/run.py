@@ -1,24 +1,24 @@
-"""One coupled run, from the case to its dataset."""
+"""One coupled run, from the case to its dataset, all at once or from where it was killed."""
 
+import logging
+import time
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
 from squat.coupling import State, Step, march
-from squat.fluid.curves import Curves
-from squat.fluid.model import Flow
 from squat.progress import progress
-from squat.quantities import Vector
-from squat.records import build
-from squat.records.kinds import TRANSIENT
-from squat.records.padding import padded
-from squat.transient.audit import energies
+from squat.records import Segments
+from squat.records.trees import copy
 from squat.transient.case import TransientCase
-from squat.transient.factors import predicted_contraction
-from squat.transient.parts import Parts, load_roots, prepare
+from squat.transient.dataset import dataset
+from squat.transient.history import History
+from squat.transient.parts import Parts, prepare
 from squat.transient.snapshots import fields
+
+_log = logging.getLogger(__name__)
 
 
 class Result(NamedTuple):
@@ -28,21 +28,32 @@ class Result(NamedTuple):
     fields: xr.Dataset | None
 
 
-def run(case: TransientCase) -> Result:
-    """Dataset of kind `transient`; a run that ends early says so in its `status`."""
+def run(case: TransientCase, segments: Segments | None = None) -> Result:
+    """Dataset of kind `transient`; a run that ends early says so in its `status`.
+
+    Parameters
+    ----------
+    segments
+        Where the run keeps its state and history as it goes, and goes on from if it finds some;
+        the caller clears them once the result is safe. None: nowhere.
+
+    Notes
+    -----
+    Bytes do not depend on whether and where the run was interrupted: at every `restart.interval`
+    steps it goes on from a copy of its state with solvers that remember nothing.
+    """
     parts = prepare(case)
-    first = start(case, parts)
-    done: list[Step] = []
-    failed: Step | None = None
-    for step in progress(_steps(case, parts, first), total=case.time.steps, label="time steps"):
-        if step.status != "converged":
-            failed = step
-            break
-        done.append(step)
-    states = [first, *(step.state for step in done)]
-    dataset = _dataset(case, parts, states, done, failed)
-    snapshots = fields(parts, states, case.snapshots) if case.snapshots else None
-    return Result(dataset, snapshots)
+    history = History(case, parts)
+    for segment in segments.read() if segments else ():
+        history.extend(segment.content)
+    if not history.rows:
+        history.begin(start(case, parts))
+    elif history.steps:
+        _log.info("going on from step %d of %d", history.steps, case.time.steps)
+    steps = _stretches(history, segments)
+    for step in progress(steps, case.time.steps, "time steps", history.steps):
+        history.take(step)
+    return Result(dataset(history), fields(parts, history.snapshots) if case.snapshots else None)
 
 
 def start(case: TransientCase, parts: Parts) -> State:
@@ -55,86 +66,24 @@ def start(case: TransientCase, parts: Parts) -> State:
     return State((motion,), memory)
 
 
-def _steps(case: TransientCase, parts: Parts, first: State) -> Iterator[Step]:
-    """Steps up to the end, to the first that does not converge, or to grounding."""
-    least = case.grounding * parts.fluid.mesh.submesh.limits.clearance
-    for step in march(parts.problem, parts.coupling, first, parts.dt, case.time.steps):
+def _stretches(history: History, segments: Segments | None) -> Iterator[Step]:
+    """Steps up to the end of the run, in stretches of `restart.interval`; `history` takes them."""
+    restart, total = history.case.restart, history.case.time.steps
+    interval = restart.interval or total
+    kept, written = len(history.rows) if history.steps else 0, time.monotonic()
+    while history.status is None:
+        yield from _stretch(history, min(interval, total - history.steps))
+        rested = time.monotonic() - written >= restart.pause
+        if segments and restart.interval and rested and history.status is None:
+            segments.write(kept, len(history.rows), history.since(kept))
+            kept, written = len(history.rows), time.monotonic()
+
+
+def _stretch(history: History, count: int) -> Iterator[Step]:
+    """At most `count` steps from a copy of the state, with solvers that remember nothing."""
+    parts = history.parts
+    parts.forget()
+    for step in march(parts.problem, parts.coupling, copy(history.state), parts.dt, count):
         yield step
-        if step.status == "converged" and _clearance(parts, step.state) < least:
+        if history.status is not None:
             return
-
-
-def _clearance(parts: Parts, state: State) -> float:
-    return parts.fluid.mesh.submesh.limits.clearance + float(state.motion.position[0])
-
-
-def _status(case: TransientCase, parts: Parts, state: State, failed: Step | None) -> str:
-    if failed is not None:
-        return failed.status
-    least = case.grounding * parts.fluid.mesh.submesh.limits.clearance
-    return "grounded" if _clearance(parts, state) < least else "completed"
-
-
-def _dataset(
-    case: TransientCase, parts: Parts, states: list[State], done: list[Step], failed: Step | None
-) -> xr.Dataset:
-    heave, velocity, acceleration = (
-        np.asarray(np.concatenate(values), float)
-        for values in zip(*(state.motion for state in states), strict=True)
-    )
-    time = np.asarray(parts.dt * np.arange(len(states)), float)
-    pressures, forces = _on_hull(parts, states)
-    hull = parts.fluid.pressure.nodes
-    points = parts.fluid.mesh.points[hull]
-    curves = _curves(case, parts)
-    roots = load_roots(case)
-    data: dict[str, Any] = {
-        "time": time,
-        "phase": parts.omega * time,
-        "heave": heave,
-        "heave_velocity": velocity,
-        "heave_acceleration": acceleration,
-        "fluid_force": forces,
-        "iterations": [0, *(step.iterations for step in done)],
-        "contraction": [np.nan, *(step.contraction for step in done)],
-        "residual": padded([np.empty(0), *(step.residuals for step in done)]),
-        "failed_residual": failed.residuals if failed else np.empty(0),
-        "failed_contraction": failed.contraction if failed else np.nan,
-        **energies(case, time, heave, velocity, forces),
-        "fluid_inertia": [curves.values(w)[2] for w in heave],
-        "predicted_contraction": predicted_contraction(case, parts, curves, heave, velocity),
-        "hull_pressure": pressures,
-        "hull_x": points[:, 0],
-        "hull_z": points[:, 1],
-        "stable_root": roots.stable,
-        "unstable_root": roots.unstable,
-        "added_mass": parts.added_mass,
-        "ship_mass": case.mass,
-        "time_step": parts.dt,
-        "omega": parts.omega,
-    }
-    attributes = {
-        "status": _status(case, parts, states[-1], failed),
-        "coupling": case.coupling.name,
-        "current": case.current,
-        "free_surface": case.free_surface,
-    }
-    return build(TRANSIENT, data, attributes)
-
-
-def _curves(case: TransientCase, parts: Parts) -> Curves:
-    limits = parts.fluid.mesh.submesh.limits
-    low = (case.grounding / 2 - 1) * limits.clearance
-    return Curves.of(parts.fluid, low, min(limits.draft / 2, limits.wall * 0.9))
-
-
-def _on_hull(parts: Parts, states: list[State]) -> tuple[Vector, Vector]:
-    """Pressure at the hull's nodes (time, hull_node), and the fluid's force (time,)."""
-    fluid = parts.fluid
-    rows, forces = [], []
-    for state in states:
-        motion, memory = state.motion, state.memory
-        flow = Flow(motion.position, motion.velocity, memory.now)
-        rows.append(fluid.pressure.nodal(flow, memory.rate, fluid.current))
-        forces.append(fluid.force(flow, memory.rate)[0])
-    return np.array(rows), np.array(forces)

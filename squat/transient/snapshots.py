@@ -1,7 +1,10 @@
 """Snapshots of the whole field, derived from the states of a run."""
 
+from collections.abc import Mapping
+
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from squat.coupling import State
 from squat.fluid.pressure import gradients
@@ -20,21 +23,25 @@ _ATTRIBUTES = {
 }
 
 
-def fields(parts: Parts, states: list[State], interval: int) -> xr.Dataset:
-    """Coordinates, potential, velocity and pressure of every `interval`-th step, float32."""
-    chosen = list(range(0, len(states), interval))
-    rows = [_snapshot(parts, states[n]) for n in chosen]
-    node = ("time", "node")
-    data = {
-        name: (node, np.array([row[name] for row in rows], dtype=np.float32)) for name in rows[0]
-    }
+Snapshot = dict[str, NDArray[np.float32]]
+
+
+def fields(parts: Parts, snapshots: Mapping[int, Snapshot]) -> xr.Dataset:
+    """Coordinates, potential, velocity and pressure of the recorded steps, float32."""
+    rows = list(snapshots.values())
+    data = {name: (("time", "node"), np.array([row[name] for row in rows])) for name in rows[0]}
     dataset = xr.Dataset(
         {**data, "face_node": (("face", "corner"), parts.fluid.mesh.triangles)},
-        {"time": parts.dt * np.array(chosen)},
+        {"time": parts.dt * np.array(list(snapshots))},
     )
     for name, (units, long_name) in _ATTRIBUTES.items():
         dataset[name].attrs.update(units=units, long_name=long_name)
     return dataset
+
+
+def snapshot(parts: Parts, state: State) -> Snapshot:
+    """Coordinates, potential, velocity and pressure (nodes,) of one state, float32."""
+    return {name: np.asarray(row, np.float32) for name, row in _snapshot(parts, state).items()}
 
 
 def _snapshot(parts: Parts, state: State) -> dict[str, Vector]:

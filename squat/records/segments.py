@@ -1,0 +1,108 @@
+"""A long run on disk, stretch by stretch: what a restart goes on from.
+
+A segment is one file, renamed into place when it is whole. It is named by its first step and holds
+the step that it leads to, so segments form a chain from step 0.
+"""
+
+import hashlib
+import json
+import logging
+import shutil
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from squat.records.files import atomic
+from squat.records.identity import difference
+from squat.records.trees import Leaf, flatten, rebuild
+
+_log = logging.getLogger(__name__)
+
+
+class Segment(NamedTuple):
+    """The step that a segment leads to, and what it holds."""
+
+    end: int
+    content: Any
+
+
+class _ForeignError(Exception):
+    """A segment of another run."""
+
+
+@dataclass(frozen=True)
+class Segments:
+    """The segments of one run in a folder of their own.
+
+    Parameters
+    ----------
+    folder
+        `<out>.parts`, beside the dataset to come.
+    make
+        `strict_identity` of the run: a segment of any other is not read.
+    """
+
+    folder: Path
+    make: Mapping[str, Any]
+
+    @staticmethod
+    def beside(path: Path, make: Mapping[str, Any]) -> "Segments":
+        """Segments of the run that will write `path`."""
+        return Segments(path.with_name(path.name + ".parts"), make)
+
+    def write(self, begin: int, end: int, content: Any) -> None:
+        """Keep `content` of the steps after `begin` up to `end`; InputError where it cannot be."""
+        structure, leaves = flatten(content)
+        header = json.dumps({"make": self.make, "end": end, "structure": structure})
+        arrays: dict[str, Any] = {f"leaf{i}": leaf for i, leaf in enumerate(leaves)}
+        with atomic(self._path(begin)) as temporary, temporary.open("wb") as file:
+            np.savez(file, header=header, digest=_digest(header, leaves), **arrays)
+
+    def read(self) -> Iterator[Segment]:
+        """Segments of this run from its start, up to the first that is absent or broken.
+
+        Those of another run are removed, with a warning that says what differs.
+        """
+        step = 0
+        while (path := self._path(step)).is_file():
+            try:
+                segment = self._load(path)
+            except _ForeignError as error:
+                _log.warning("%s: left by another run (%s); starting again", self.folder, error)
+                self.clear()
+                return
+            except Exception as error:  # whatever a damaged file makes its reader say
+                _log.warning("%s: broken (%s); going on without it", path, error)
+                return
+            yield segment
+            step = segment.end
+
+    def clear(self) -> None:
+        """Remove the folder: the run is over, or to be done again."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _path(self, begin: int) -> Path:
+        return self.folder / f"{begin:09d}.npz"
+
+    def _load(self, path: Path) -> Segment:
+        with np.load(path, allow_pickle=False) as file:
+            text = str(file["header"])
+            leaves = [file[f"leaf{i}"] for i in range(len(file.files) - 2)]
+            if str(file["digest"]) != _digest(text, leaves):
+                raise ValueError("its digest is wrong")
+        header = json.loads(text)
+        made = json.loads(json.dumps(self.make))
+        if header["make"] != made:
+            raise _ForeignError(difference(made, header["make"]))
+        return Segment(header["end"], rebuild(header["structure"], leaves))
+
+
+def _digest(header: str, leaves: list[Leaf]) -> str:
+    total = hashlib.sha256(header.encode())
+    for leaf in leaves:
+        total.update(repr((leaf.dtype.str, leaf.shape)).encode())
+        total.update(leaf.tobytes())
+    return total.hexdigest()

@@ -1,0 +1,65 @@
+"""The record of a run from its history."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from squat.fluid.curves import Curves
+from squat.records import build
+from squat.records.kinds import TRANSIENT
+from squat.transient.audit import energies
+from squat.transient.case import TransientCase
+from squat.transient.factors import predicted_contraction
+from squat.transient.history import Columns, History
+from squat.transient.parts import Parts, load_roots
+
+
+def dataset(history: History) -> xr.Dataset:
+    """Dataset of kind `transient`."""
+    case, parts = history.case, history.parts
+    columns = Columns.of(history.rows)
+    heave, velocity, force = columns.position[:, 0], columns.velocity[:, 0], columns.force[:, 0]
+    time = np.asarray(parts.dt * np.arange(len(heave)), float)
+    curves, roots = _curves(case, parts), load_roots(case)
+    points = parts.fluid.mesh.points[parts.fluid.pressure.nodes]
+    failed = history.failed
+    data: dict[str, Any] = {
+        "time": time,
+        "phase": parts.omega * time,
+        "heave": heave,
+        "heave_velocity": velocity,
+        "heave_acceleration": columns.acceleration[:, 0],
+        "fluid_force": force,
+        "iterations": columns.iterations,
+        "contraction": columns.contraction,
+        "residual": columns.residuals,
+        "failed_residual": failed.residuals if failed else np.empty(0),
+        "failed_contraction": failed.contraction if failed else np.nan,
+        **energies(case, time, heave, velocity, force),
+        "fluid_inertia": [curves.values(w)[2] for w in heave],
+        "predicted_contraction": predicted_contraction(case, parts, curves, heave, velocity),
+        "hull_pressure": columns.pressure,
+        "hull_x": points[:, 0],
+        "hull_z": points[:, 1],
+        "stable_root": roots.stable,
+        "unstable_root": roots.unstable,
+        "added_mass": parts.added_mass,
+        "ship_mass": case.mass,
+        "time_step": parts.dt,
+        "omega": parts.omega,
+    }
+    attributes = {
+        "status": history.status,
+        "coupling": case.coupling.name,
+        "current": case.current,
+        "free_surface": case.free_surface,
+    }
+    return build(TRANSIENT, data, attributes)
+
+
+def _curves(case: TransientCase, parts: Parts) -> Curves:
+    parts.forget()  # a restarted run has not asked what an undisturbed one has
+    limits = parts.fluid.mesh.submesh.limits
+    low = (case.grounding / 2 - 1) * limits.clearance
+    return Curves.of(parts.fluid, low, min(limits.draft / 2, limits.wall * 0.9))
