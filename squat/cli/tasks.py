@@ -8,7 +8,7 @@ from typing import Any
 
 import xarray as xr
 
-from squat import analysis, figures, piston, records, transient
+from squat import analysis, catalogue, figures, piston, records, transient
 from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
@@ -34,10 +34,15 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "inertia": inertia.run,
     "sensitivity": sensitivity.run,
 }
+TASKS = (*DATASETS, "transient")
+"""Tasks that make a dataset."""
 FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
     "table": (".csv", analysis.write_table),
     "verdicts": (".csv", analysis.write_verdicts),
     "figure": (".png", figures.write_figure),
+    "catalogue": (".parquet", catalogue.write_catalogue),
+    "difference": (".csv", catalogue.write_difference),
+    "compare": (".png", figures.write_compare),
 }
 
 
@@ -71,6 +76,13 @@ def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
     records.save(dataset, path, valid.config, started, groups)
     segments.clear()
     return dataset
+
+
+def compute(valid: Valid) -> xr.Dataset:
+    """Dataset of one of `TASKS`, in memory; snapshots and segments need a file and are left out."""
+    if valid.settings.task == "transient":
+        return transient.run(valid.case).dataset
+    return DATASETS[valid.settings.task](valid.case)
 
 
 def _headline(dataset: xr.Dataset) -> str:

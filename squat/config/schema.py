@@ -11,8 +11,9 @@ from pydantic.dataclasses import dataclass
 from pydantic_core import ErrorDetails
 
 from squat.analysis import TableCase, VerdictsCase
+from squat.catalogue import CatalogueCase, DifferenceCase
 from squat.errors import InputError
-from squat.figures import FigureCase
+from squat.figures import CompareCase, FigureCase
 from squat.fluid.inertia import InertiaCase
 from squat.fluid.run import AddedMassCase
 from squat.fluid.sensitivity import SensitivityCase
@@ -35,6 +36,9 @@ CASES: dict[str, type] = {
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,
+    "catalogue": CatalogueCase,
+    "difference": DifferenceCase,
+    "compare": CompareCase,
 }
 
 

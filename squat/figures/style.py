@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -15,6 +16,8 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#56B4E9",
 )
 PALETTE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000")
+CYCLE = cycler(linestyle=["-", "--", ":"]) * cycler(color=PALETTE)
+"""Lines that differ in colour first, then in dashes."""
 SETTINGS: Any = {
     "font.size": 10,
     "axes.grid": True,

@@ -14,6 +14,7 @@ from squat.errors import InputError
 from squat.figures.added_mass import fig7, fig9, sensitivity
 from squat.figures.domain import fig3, fig8
 from squat.figures.equilibria import fig10
+from squat.figures.files import save
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.style import SETTINGS
@@ -73,7 +74,4 @@ def write_figure(case: FigureCase, path: Path) -> None:
     with mpl.rc_context(SETTINGS):
         paths = (case.data,) if isinstance(case.data, str) else case.data
         figure = draw(*(records.read(Path(path), kind) for path in paths))
-        for target in (path, path.with_suffix(".svg")):
-            metadata = {"Date": None} if target.suffix == ".svg" else None
-            with records.atomic(target) as temporary:
-                figure.savefig(temporary, metadata=metadata)
+        save(figure, path)

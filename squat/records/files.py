@@ -74,6 +74,12 @@ def _finish(temporary: Path, path: Path) -> None:
     temporary.replace(path)
 
 
+def stamp(dataset: xr.Dataset, config: Mapping[str, Any], started: float) -> xr.Dataset:
+    """`dataset` with provenance and the digest that `read` asks for; arguments as for `save`."""
+    stamped = dataset.assign_attrs(provenance.attributes(config, started))
+    return stamped.assign_attrs(content_sha256=provenance.digest(dataset))
+
+
 def save(
     dataset: xr.Dataset,
     path: Path,
@@ -94,8 +100,7 @@ def save(
     groups
         Snapshots, each written compressed into the group of its name.
     """
-    stamped = dataset.assign_attrs(provenance.attributes(config, started))
-    stamped.attrs["content_sha256"] = provenance.digest(dataset)
+    stamped = stamp(dataset, config, started)
     no_fill = {name: {"_FillValue": None} for name in stamped.variables}
     with atomic(path) as temporary:
         stamped.to_netcdf(temporary, engine="h5netcdf", encoding=no_fill)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from squat.catalogue import find
 from squat.records import read
 
 
@@ -56,6 +57,7 @@ def test_multirun_names_failed_jobs_and_keeps_the_others(squat, tmp_path):
     assert found == [f"piston.mass_ratio-{ratio}__time.periods-0.1" for ratio in ("0.5", "2")]
     again = squat("-m", "task=piston", "piston.mass_ratio=0.5,2", "time.periods=0.1")
     assert again.returncode == 0, again.stderr
+    assert list(find([tmp_path])["piston.mass_ratio"]) == [0.5, 2]
 
 
 def test_help_config_and_completion_work(squat):

@@ -1,0 +1,17 @@
+"""All runs below a folder as one table: what they were, how they ended, what came out."""
+
+from squat.catalogue.difference import DifferenceCase, write_difference
+from squat.catalogue.find import RESULT, find
+from squat.catalogue.select import select, varying
+from squat.catalogue.task import CatalogueCase, write_catalogue
+
+__all__ = [
+    "RESULT",
+    "CatalogueCase",
+    "DifferenceCase",
+    "find",
+    "select",
+    "varying",
+    "write_catalogue",
+    "write_difference",
+]

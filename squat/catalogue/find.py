@@ -1,0 +1,65 @@
+"""Runs are found by what their files say of themselves, not by where they lie."""
+
+import json
+import logging
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+from h5netcdf import File
+
+from squat.catalogue.flat import flatten
+from squat.catalogue.headlines import headline
+from squat.errors import InputError
+
+RESULT = "result."
+"""What the names of headline figures begin with."""
+_log = logging.getLogger(__name__)
+FIXED = ["file", "kind", "status"]
+"""Columns that every run has; `status` is missing where a kind has none."""
+
+
+def find(places: Iterable[Path]) -> pd.DataFrame:
+    """One row for every file of squat's in `places` (files, or folders searched to any depth).
+
+    Columns are `FIXED`, the configuration under dotted keys, and the headline figures under
+    ``result.``. NetCDF files of others are passed over, broken ones named in a warning.
+
+    Raises
+    ------
+    InputError
+        A place does not exist, or holds no run.
+    """
+    places = list(places)
+    rows = [row for path in _files(places) if (row := _row(path)) is not None]
+    if not rows:
+        names = ", ".join(map(str, places))
+        raise InputError(f"runs={names}: holds no run; give a folder with files of squat")
+    frame = pd.DataFrame(rows)
+    return frame[[*FIXED, *(name for name in frame.columns if name not in FIXED)]]
+
+
+def _files(places: Iterable[Path]) -> Iterator[Path]:
+    for place in places:
+        if not place.exists():
+            raise InputError(f"runs={place}: no such file or folder; give where the runs lie")
+        if place.is_file():
+            yield place
+        else:
+            yield from sorted(p for p in place.rglob("*.nc") if not p.name.startswith("."))
+
+
+def _row(path: Path) -> dict[str, Any] | None:
+    try:
+        with File(path, "r") as file:
+            parts = str(file.attrs.get("schema", "")).split("/")
+            if parts[0] != "squat" or len(parts) != 3 or "config" not in file.attrs:
+                return None
+            config = flatten(json.loads(file.attrs["config"]))
+            row = {"file": str(path), "kind": parts[1], "status": file.attrs.get("status")}
+            figures = {f"{RESULT}{key}": n for key, n in headline(parts[1], file).items()}
+            return {**row, **config, **figures}
+    except (OSError, ValueError, KeyError) as error:
+        _log.warning("%s: passed over, not readable (%s)", path, type(error).__name__)
+        return None

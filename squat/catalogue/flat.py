@@ -1,0 +1,31 @@
+"""A configuration as one row: nested keys under the dotted names that a command line takes."""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from squat.records.identity import HOUSEKEEPING
+
+_NOT_PHYSICS = ("task", *HOUSEKEEPING)
+_FILES = ("inputs", "data", "runs", "tables", "transients")
+"""Groups and keys that hold paths: where a run got its files says nothing about its result."""
+
+
+def flatten(config: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of `config` under dotted keys; lists become JSON text, so that rows compare."""
+    return {
+        key: value
+        for key, value in _leaves(config, "")
+        if key not in _NOT_PHYSICS and key.split(".")[0] not in _FILES
+    }
+
+
+def _leaves(node: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:
+    found: list[tuple[str, Any]] = []
+    for key, value in node.items():
+        if isinstance(value, Mapping):
+            found += _leaves(value, f"{prefix}{key}.")
+        else:
+            plain = json.dumps(value) if isinstance(value, list) else value
+            found.append((f"{prefix}{key}", plain))
+    return found

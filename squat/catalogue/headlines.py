@@ -1,0 +1,62 @@
+"""The few numbers by which a reader compares runs of a kind."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from h5netcdf import File
+
+Headline = dict[str, Any]
+
+
+def _series(*names: str) -> Callable[[File], Headline]:
+    """First, least, greatest and last finite value over time of each of `names`."""
+
+    def read(file: File) -> Headline:
+        found: Headline = {"steps": len(file.variables["time"]) - 1}
+        for name in names:
+            values = np.asarray(file.variables[name][...], float)
+            values = values[np.isfinite(values)]
+            if values.size:
+                found |= {f"{name}_min": values.min(), f"{name}_max": values.max()}
+                found[f"{name}_last"] = values[-1]
+        return found
+
+    return read
+
+
+def _iterations(file: File) -> Headline:
+    counts = np.asarray(file.variables["iterations"][...])[1:]
+    if not counts.size:
+        return {}
+    return {"iterations_mean": float(counts.mean()), "iterations_max": int(counts.max())}
+
+
+def _matrix(file: File) -> Headline:
+    """Diagonal of the added-mass matrix, by the name of the mode."""
+    modes = [str(name) for name in np.asarray(file.variables["mode_i"][...]).astype(str)]
+    values = np.asarray(file.variables["added_mass"][...])
+    return {f"added_mass_{mode}": values[i, i] for i, mode in enumerate(modes)}
+
+
+def _scalars(file: File) -> Headline:
+    found: Headline = {}
+    for name, variable in file.variables.items():
+        if variable.shape == () and np.dtype(variable.dtype).kind == "f":
+            found[name] = variable[...].item()
+    return found
+
+
+_OF_KIND: Mapping[str, tuple[Callable[[File], Headline], ...]] = {
+    "piston": (_series("position"), _iterations),
+    "transient": (_series("heave"), _iterations),
+    "added_mass": (_matrix,),
+}
+
+
+def headline(kind: str, file: File) -> Headline:
+    """All real scalars of `file`, and for some kinds extremes of series and diagonals."""
+    found = _scalars(file)
+    for part in _OF_KIND.get(kind, ()):
+        found |= part(file)
+    return found

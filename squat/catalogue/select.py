@@ -1,0 +1,76 @@
+"""Rows and columns of the table of runs."""
+
+import re
+from collections.abc import Sequence
+
+import pandas as pd
+
+from squat.catalogue.find import FIXED, RESULT
+from squat.errors import InputError
+
+_WORD = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`|[^\W\d][\w.]*""")
+
+
+def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd.DataFrame:
+    """Rows of `frame` that satisfy `where`, sorted by the columns `sort` (``-name``: descending).
+
+    Raises
+    ------
+    InputError
+        `where` cannot be read, or names what no run has.
+    """
+    if where:
+        try:
+            found = frame.query(_quoted(where, frame), engine="python")
+        except Exception as error:  # pandas raises a dozen types for what a user may mistype
+            reason = str(error).splitlines()[0]
+            raise InputError(
+                f"where={where}: {reason}; give a condition like 'status == \"diverged\"' "
+                "on columns of the table"
+            ) from error
+        frame = found
+    names = [name.removeprefix("-") for name in sort]
+    _known(names, frame, "sort")
+    if names:
+        ascending = [not name.startswith("-") for name in sort]
+        frame = frame.sort_values(names, ascending=ascending, kind="stable")
+    return frame.reset_index(drop=True)
+
+
+def columns(frame: pd.DataFrame, names: Sequence[str]) -> pd.DataFrame:
+    """The columns `names`, or where none are given those that tell the runs apart.
+
+    A run alone has nobody to differ from: its headline figures are shown.
+    """
+    _known(names, frame, "columns")
+    alone = [
+        name for name in frame.columns if name.startswith(RESULT) and frame[name].notna().all()
+    ]
+    return frame[list(names) or [*FIXED, *(varying(frame) if len(frame) > 1 else alone)]]
+
+
+def varying(frame: pd.DataFrame) -> list[str]:
+    """Columns beside the fixed ones that do not have one value in all rows."""
+    return [
+        str(name)
+        for name in frame.columns
+        if name not in FIXED and len(frame[name].drop_duplicates()) > 1
+    ]
+
+
+def _quoted(where: str, frame: pd.DataFrame) -> str:
+    """`where` with dotted names in the backticks that pandas asks for."""
+
+    def quote(found: re.Match[str]) -> str:
+        word = found[0]
+        return f"`{word}`" if "." in word and word in frame.columns else word
+
+    return _WORD.sub(quote, where)
+
+
+def _known(names: Sequence[str], frame: pd.DataFrame, key: str) -> None:
+    for name in names:
+        if name not in frame.columns:
+            near = ", ".join(str(column) for column in frame.columns if name in str(column))
+            remedy = f"give {near}" if near else "columns=[] shows what varies"
+            raise InputError(f"{key}={name}: no run has it; {remedy}")

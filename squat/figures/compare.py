@@ -1,0 +1,141 @@
+"""Chosen runs in one picture: a variable over time, or a headline figure over a key."""
+
+from pathlib import Path
+from typing import Annotated
+
+import matplotlib as mpl
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+
+from squat import catalogue, records
+from squat.errors import InputError
+from squat.figures.files import save
+from squat.figures.style import CYCLE, SETTINGS, single
+from squat.quantities import STRICT
+
+_USUAL = {"transient": "heave", "piston": "position"}
+_LINE = 0.17  # in, height of a line of the legend
+_MOST = 20  # lines that a reader can still tell apart by legend and dashes
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class CompareCase:
+    """Which runs, and what of them to plot.
+
+    Parameters
+    ----------
+    runs
+        Folders and files; folders are searched to any depth.
+    where
+        A condition in pandas' query language; empty: all runs.
+    variable
+        A variable with one dimension, or a column of the catalogue; None: heave or position.
+    over
+        What to plot it over: a variable of that dimension, or a column of the catalogue;
+        None: the variable's own coordinate.
+    """
+
+    runs: str | Annotated[tuple[str, ...], Field(min_length=1)]
+    where: str
+    variable: str | None
+    over: str | None
+
+
+def write_compare(case: CompareCase, path: Path) -> None:
+    """Write the picture to `path` (.png) and beside it as .svg."""
+    places = (case.runs,) if isinstance(case.runs, str) else case.runs
+    table = catalogue.select(catalogue.find([Path(place) for place in places]), case.where)
+    if table.empty:
+        raise InputError(f"where={case.where}: no run is left; loosen the condition")
+    variable = case.variable or _USUAL.get(table["kind"].iloc[0])
+    if variable is None:
+        raise InputError("variable=None: runs of this kind have no usual one; give variable=NAME")
+    with mpl.rc_context(SETTINGS):
+        save(draw(table, variable, case.over), path)
+
+
+def draw(table: pd.DataFrame, variable: str, over: str | None) -> Figure:
+    """The picture of the runs in `table` (of `catalogue.find`)."""
+    figure, axes = single(7.0, 4.0)
+    if over is not None and variable in table.columns and over in table.columns:
+        _points(axes, table, variable, over)
+    else:
+        _lines(axes, table, variable, over)
+    if (lines := len(axes.lines)) > 1:
+        figure.set_figheight(4.0 + _LINE * lines)
+        figure.legend(loc="outside lower center", fontsize=8)
+    return figure
+
+
+def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> None:
+    """One line a run, named by what tells the runs apart."""
+    if len(table) > _MOST:
+        raise InputError(f"runs: {len(table)} lines in one plot; narrow them to {_MOST} by where=")
+    axes.set_prop_cycle(CYCLE)
+    for file, label in _labelled(table):
+        data = records.read(Path(file))
+        for name in filter(None, (variable, over)):
+            if name not in data.variables:
+                raise InputError(f"{file}: has no variable {name!r}; give one of its own")
+        values = data[variable]
+        if values.ndim != 1:
+            raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
+        across = data[over or values.dims[0]]
+        axes.plot(across.values, values.values, label=label)
+        axes.set_xlabel(_axis(across.attrs["long_name"], across.attrs["units"]))
+        axes.set_ylabel(_axis(values.attrs["long_name"], values.attrs["units"]))
+
+
+def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
+    """A headline figure over a key; a line for each combination of the other keys that vary."""
+    keys = [name for name in _keys(table) if name not in (variable, over)]
+    groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
+    axes.set_prop_cycle(CYCLE)
+    for values, group in groups:
+        ordered = group.sort_values(over)
+        label = _named(dict(zip(keys, values, strict=True)))
+        axes.plot(ordered[over], ordered[variable], marker="o", ms=4, label=label)
+    axes.set_xlabel(over)
+    axes.set_ylabel(variable)
+
+
+def _keys(table: pd.DataFrame) -> list[str]:
+    """The fewest configured keys, first ones first, that tell apart what all of them do."""
+    kept: list[str] = []
+    groups = 1
+    for name in catalogue.varying(table):
+        if name.startswith(catalogue.RESULT):
+            continue
+        finer = len(table[[*kept, name]].drop_duplicates())
+        if finer > groups:
+            kept, groups = [*kept, name], finer
+    return kept
+
+
+def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
+    """Files with their labels, in the order of the keys that vary."""
+    keys = _keys(table)
+    several = len(table["status"].drop_duplicates()) > 1
+    labelled = []
+    for row in (table.sort_values(keys) if keys else table).to_dict("records"):
+        label = _named({key: row[key] for key in keys}) or Path(row["file"]).stem
+        labelled.append((row["file"], f"{label}: {row['status']}" if several else label))
+    return labelled
+
+
+def _named(values: dict[str, object]) -> str:
+    """Short names of keys with their values, missing ones left out."""
+    return ", ".join(
+        f"{key.removesuffix('.name').rsplit('.', 1)[-1]} = "
+        + (f"{value:g}" if isinstance(value, float) else str(value))
+        for key, value in values.items()
+        if not (isinstance(value, float) and np.isnan(value))
+    )
+
+
+def _axis(name: str, units: str) -> str:
+    return f"{name} [{'-' if units == '1' else units}]"

@@ -1,0 +1,121 @@
+"""Runs are found wherever they lie, told apart by what differs, filtered, sorted, compared."""
+
+import json
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+import squat as api
+from squat.catalogue import find, select, varying
+from squat.catalogue.difference import difference
+from squat.errors import InputError
+from squat.figures.compare import draw
+
+RATIOS = (0.5, 2.0, 0.9)
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("runs")
+    for ratio in RATIOS:
+        run = api.run("piston", "scheme=standard", "time.periods=0.5", f"piston.mass_ratio={ratio}")
+        (folder / f"deep/{ratio}").mkdir(parents=True)
+        run.to_netcdf(folder / f"deep/{ratio}/piston.nc", engine="h5netcdf")
+    api.run("equilibria").to_netcdf(folder / "roots.nc", engine="h5netcdf")
+    return folder
+
+
+def test_every_run_has_a_row_with_configuration_status_and_figures(runs):
+    table = find([runs])
+    assert sorted(table["kind"]) == ["equilibria", *["piston"] * 3]
+    for row in table[table["kind"] == "piston"].to_dict("records"):
+        data = api.open_run(row["file"])
+        assert row["status"] == data.attrs["status"]
+        assert row["piston.mass_ratio"] == json.loads(data.attrs["config"])["piston"]["mass_ratio"]
+        assert row["result.position_last"] == data["position"].values[-1]
+        assert row["result.predicted_contraction"] == float(data["predicted_contraction"])
+        assert row["result.steps"] == data.sizes["time"] - 1
+
+
+def test_what_varies_is_what_differs_and_nothing_else(runs):
+    table = select(find([runs]), "kind == 'piston'")
+    keys = [name for name in varying(table) if not name.startswith("result.")]
+    assert keys == ["piston.mass_ratio"]
+
+
+def test_conditions_take_dotted_names_and_order_is_as_asked(runs):
+    table = select(find([runs]), "piston.mass_ratio < 1", ["-piston.mass_ratio"])
+    assert list(table["piston.mass_ratio"]) == [0.9, 0.5]
+    lost = select(find([runs]), "status == 'diverged' and scheme == \"standard\"")
+    assert list(lost["piston.mass_ratio"]) == [2.0]
+    assert len(select(find([runs]), "kind == 'piston.mass_ratio'")) == 0
+
+
+@pytest.mark.parametrize(
+    ("where", "sort", "message"),
+    [
+        ("nonsense > 1", [], r"where=nonsense > 1: .*nonsense"),
+        ("kind ==", [], r"where=kind ==: "),
+        ("", ["mass_ratio"], r"sort=mass_ratio: no run has it; give piston.mass_ratio"),
+    ],
+)
+def test_what_no_run_has_is_named(runs, where, sort, message):
+    with pytest.raises(InputError, match=message):
+        select(find([runs]), where, sort)
+
+
+def test_foreign_and_broken_files_are_passed_over(runs, tmp_path, caplog):
+    xr.Dataset({"a": ("x", np.arange(3.0))}).to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
+    (tmp_path / "broken.nc").write_bytes((runs / "roots.nc").read_bytes()[:900])
+    with pytest.raises(InputError, match="holds no run"):
+        find([tmp_path])
+    assert [record.getMessage() for record in caplog.records] == [
+        f"{tmp_path / 'broken.nc'}: passed over, not readable (OSError)"
+    ]
+    with pytest.raises(InputError, match="no such file or folder"):
+        find([tmp_path / "absent"])
+
+
+def test_difference_is_empty_for_a_run_and_itself_and_names_what_differs(runs):
+    one, other = (runs / f"deep/{ratio}/piston.nc" for ratio in (0.5, 2.0))
+    assert difference(one, one).empty
+    found = difference(one, other).set_index("key")
+    assert found.loc["piston.mass_ratio"].tolist() == [0.5, 2.0]
+    assert found.loc["status"].tolist() == ["converged", "diverged"]
+    keys = [key for key in found.index if not key.startswith("result.")]
+    assert sorted(keys) == ["piston.mass_ratio", "status"]
+
+
+def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):
+    where = "where=kind == 'piston' and status == 'converged'"
+    done = squat("task=catalogue", f"runs={runs}", f'"{where}"'.replace('"where=', 'where="'))
+    assert done.returncode == 0, done.stderr
+    assert "piston.mass_ratio" in done.stdout
+    assert "2 runs" in done.stdout
+    assert "piston.length" not in done.stdout
+    kept = pd.read_parquet(tmp_path / "catalogue.parquet")
+    assert sorted(kept["piston.mass_ratio"]) == [0.5, 0.9]
+    assert "piston.length" in kept.columns
+
+
+def test_compared_runs_are_drawn_as_they_are(runs):
+    table = select(find([runs]), "kind == 'piston'")
+    (axes,) = draw(table, "position", None).axes
+    for line, ratio in zip(axes.lines, sorted(RATIOS), strict=True):
+        data = api.open_run(runs / f"deep/{ratio}/piston.nc")
+        assert np.array_equal(line.get_ydata(), data["position"])
+        assert np.array_equal(line.get_xdata(), data["time"])
+        assert f"mass_ratio = {ratio:g}" in line.get_label()
+    (axes,) = draw(table, "result.predicted_contraction", "piston.mass_ratio").axes
+    assert list(axes.lines[0].get_xdata()) == sorted(RATIOS)
+    with pytest.raises(InputError, match="has no variable 'heave'"):
+        draw(table, "heave", None)
+
+
+def test_the_command_writes_both_pictures(runs, squat, tmp_path):
+    done = squat("task=compare", f"runs={runs / 'deep'}")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "compare.png").read_bytes().startswith(b"\x89PNG")
+    assert "<svg" in (tmp_path / "compare.svg").read_text()
