@@ -6,18 +6,27 @@ geometrically. Slopes cost no solve, so each point gives two conditions: n point
 """
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.polynomial import Chebyshev, chebyshev
 from numpy.typing import ArrayLike
 
-from squat.fluid.model import Coefficients, FreeSurface, Slopes
-from squat.fluid.potential import PotentialFluid
-from squat.mesh import PositionError
+from squat.fluid.model import Coefficients, EnergyModel, FreeSurface, Slopes
+from squat.mesh import Mesh, PositionError
 from squat.quantities import Vector
 
 POINTS = 16
 """Solved positions: values to 1e-9, slopes to 1e-7 over five e-foldings of the clearance."""
+
+
+class Meshed(EnergyModel, Protocol):
+    """An energy model that is computed on a mesh."""
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh, whose submesh knows the clearance."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +48,7 @@ class Curves:
     free_surface: FreeSurface
 
     @staticmethod
-    def of(fluid: PotentialFluid, low: float, high: float, points: int = POINTS) -> "Curves":
+    def of(fluid: Meshed, low: float, high: float, points: int = POINTS) -> "Curves":
         """Curves from `points` positions between w = `low` and w = `high` [m]."""
         clearance = fluid.mesh.submesh.limits.clearance
         ends = np.log([clearance + low, clearance + high])
@@ -96,7 +105,7 @@ class Curves:
         return w + self.clearance
 
 
-def _row(fluid: PotentialFluid, w: float) -> Vector:
+def _row(fluid: EnergyModel, w: float) -> Vector:
     """a, b, c and da/dw, db/dw, dc/dw at one position, shape (6,)."""
     q = np.array([w])
     return np.concatenate([np.ravel(part) for part in (*fluid.coefficients(q), *fluid.slopes(q))])
