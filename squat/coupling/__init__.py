@@ -3,24 +3,30 @@
 from squat.coupling.accelerators import Accelerator, Aitken, ConstantRelaxation, NoAcceleration
 from squat.coupling.criteria import Criterion
 from squat.coupling.loop import Coupling, State, Status, Step, advance, march
+from squat.coupling.monolithic import Monolithic
 from squat.coupling.predictors import PREDICTORS, Predictor, PredictorName
 from squat.coupling.problem import Load, Problem
+from squat.coupling.quasi_newton import Anderson, InterfaceQuasiNewton, Secants
 from squat.coupling.schemes import Scheme, SchemeName, corrected, standard
 
 __all__ = [
     "PREDICTORS",
     "Accelerator",
     "Aitken",
+    "Anderson",
     "ConstantRelaxation",
     "Coupling",
     "Criterion",
+    "InterfaceQuasiNewton",
     "Load",
+    "Monolithic",
     "NoAcceleration",
     "Predictor",
     "PredictorName",
     "Problem",
     "Scheme",
     "SchemeName",
+    "Secants",
     "State",
     "Status",
     "Step",

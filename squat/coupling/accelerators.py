@@ -4,6 +4,8 @@ from typing import Literal, Protocol
 
 from pydantic.dataclasses import dataclass
 
+from squat.coupling.monolithic import Monolithic
+from squat.coupling.quasi_newton import Anderson, InterfaceQuasiNewton, Secants
 from squat.dynamics import Kinematics, Motion
 from squat.quantities import STRICT, Fraction, Vector
 
@@ -15,13 +17,22 @@ class Updates(Protocol):
         """Trial of the next iteration."""
         ...
 
+    def learned(self) -> Secants | None:
+        """What the next steps may reuse; None: nothing."""
+        ...
 
-class _Plain:
+
+class _Forgetful:
+    def learned(self) -> None:
+        return None
+
+
+class _Plain(_Forgetful):
     def next(self, trial: Motion, answer: Motion, kinematics: Kinematics) -> Motion:
         return answer
 
 
-class _Relaxed:
+class _Relaxed(_Forgetful):
     def __init__(self, factor: float) -> None:
         self.factor = factor
 
@@ -31,7 +42,7 @@ class _Relaxed:
         )
 
 
-class _Aitken:
+class _Aitken(_Forgetful):
     def __init__(self, initial: float) -> None:
         self.factor = initial
         self.residual: Vector | None = None
@@ -52,7 +63,7 @@ class NoAcceleration:
 
     name: Literal["none"]
 
-    def start(self) -> Updates:
+    def start(self, learned: Secants | None) -> Updates:
         """Updates of a new time step."""
         return _Plain()
 
@@ -70,7 +81,7 @@ class ConstantRelaxation:
     name: Literal["relaxation"]
     factor: Fraction
 
-    def start(self) -> Updates:
+    def start(self, learned: Secants | None) -> Updates:
         """Updates of a new time step."""
         return _Relaxed(self.factor)
 
@@ -90,9 +101,10 @@ class Aitken:
     name: Literal["aitken"]
     initial: Fraction
 
-    def start(self) -> Updates:
+    def start(self, learned: Secants | None) -> Updates:
         """Updates of a new time step."""
         return _Aitken(self.initial)
 
 
-Accelerator = NoAcceleration | ConstantRelaxation | Aitken
+Iterative = NoAcceleration | ConstantRelaxation | Aitken | Anderson | InterfaceQuasiNewton
+Accelerator = Iterative | Monolithic

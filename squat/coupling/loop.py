@@ -1,17 +1,19 @@
 """The one coupling loop: Algorithm 1, and Algorithm 2 with another problem in it."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from squat.coupling.accelerators import Accelerator
+from squat.coupling.accelerators import Accelerator, Updates
 from squat.coupling.criteria import Criterion
+from squat.coupling.monolithic import Monolithic, together
 from squat.coupling.predictors import LEVELS, Predictor
-from squat.coupling.problem import Problem
+from squat.coupling.problem import Load, Problem
+from squat.coupling.quasi_newton import Secants
 from squat.coupling.schemes import Scheme
-from squat.dynamics import Integrator, Motion
+from squat.dynamics import Integrator, Kinematics, Motion
 from squat.quantities import Vector
 
 Status = Literal["converged", "diverged", "iteration limit"]
@@ -34,19 +36,23 @@ class Coupling:
 
 @dataclass(frozen=True)
 class State:
-    """Where a run stands: accepted motions, newest first, and the problem's memory."""
+    """Where a run stands: accepted motions, newest first, and what was kept of earlier steps.
+
+    `memory` is the problem's own; `learned` is what an accelerator reuses.
+    """
 
     past: tuple[Motion, ...]
     memory: Any = None
+    learned: Secants | None = None
 
     @property
     def motion(self) -> Motion:
         """The newest accepted motion."""
         return self.past[0]
 
-    def followed_by(self, motion: Motion, memory: Any) -> "State":
+    def followed_by(self, motion: Motion, memory: Any, learned: Secants | None = None) -> "State":
         """State after one more accepted step."""
-        return replace(self, past=(motion, *self.past[: LEVELS - 1]), memory=memory)
+        return State((motion, *self.past[: LEVELS - 1]), memory, learned)
 
 
 @dataclass(frozen=True)
@@ -69,33 +75,70 @@ class Step:
         return len(self.residuals)
 
 
+class _Iteration(NamedTuple):
+    """How one step's iteration went: its end, the load accepted last, the residual vectors."""
+
+    status: Status
+    motion: Motion
+    load: Load
+    residuals: Vector
+    learned: Secants | None = None
+
+
 def advance(problem: Problem, coupling: Coupling, state: State, dt: float) -> Step:
-    """Iterate one time step of size `dt` [s] until it converges, diverges or hits the limit."""
-    criterion = coupling.criterion
+    """One time step of size `dt` [s], until it converges, diverges or hits the iteration limit."""
     kinematics = coupling.integrator.kinematics(state.past, dt)
-    scheme = coupling.scheme(state.motion)
-    updates = coupling.accelerator.start()
-    trial = coupling.predictor(state.past, kinematics)
+    guess = coupling.predictor(state.past, kinematics)
+    accelerator = coupling.accelerator
+    if isinstance(accelerator, Monolithic):
+        done = _solve(problem, coupling.criterion, kinematics, guess, state.memory)
+    else:
+        scheme, updates = coupling.scheme(state.motion), accelerator.start(state.learned)
+        done = _iterate(problem, coupling.criterion, kinematics, guess, state, scheme, updates)
+    end = state
+    if done.status == "converged":
+        end = state.followed_by(done.motion, done.load.memory, done.learned)
+    norms = np.linalg.norm(done.residuals, axis=1)
+    return Step(done.status, end, norms, contraction(done.residuals), done.load.force)
+
+
+def _iterate(
+    problem: Problem,
+    criterion: Criterion,
+    kinematics: Kinematics,
+    trial: Motion,
+    state: State,
+    scheme: Scheme,
+    updates: Updates,
+) -> _Iteration:
+    """Structure and fluid in turn, from `trial`."""
     residuals: list[Vector] = []
     first = 0.0
     status: Status = "iteration limit"
     while len(residuals) < criterion.iterations:
-        load = problem.load(trial, state.memory, dt)
+        load = problem.load(trial, state.memory, kinematics.dt)
         answer = scheme.solve(load.force, trial, kinematics)
         residuals.append(answer.position - trial.position)
         size = float(np.sqrt(residuals[-1] @ residuals[-1]))
         first = first or size
-        if criterion.met(size, answer.position):
-            status = "converged"
-            break
         if criterion.lost(size, first):
             status = "diverged"
             break
         trial = updates.next(trial, answer, kinematics)
-    history = np.array(residuals)
-    end = state.followed_by(answer, load.memory) if status == "converged" else state
-    norms = np.linalg.norm(history, axis=1)
-    return Step(status, end, norms, contraction(history), load.force)
+        if criterion.met(size, answer.position):
+            status = "converged"
+            break
+    learned = updates.learned() if status == "converged" else state.learned
+    return _Iteration(status, answer, load, np.array(residuals), learned)
+
+
+def _solve(
+    problem: Problem, criterion: Criterion, kinematics: Kinematics, guess: Motion, memory: Any
+) -> _Iteration:
+    """Structure and fluid together, from `guess`."""
+    end, load, residuals = together(problem, kinematics, guess, memory)
+    met = criterion.met(float(np.linalg.norm(residuals[-1])), end.position)
+    return _Iteration("converged" if met else "diverged", end, load, residuals)
 
 
 def contraction(residuals: Vector) -> float:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Literal
 
 from squat.dynamics import Kinematics, Motion
+from squat.dynamics.integrators import positions
 
 PredictorName = Literal["hold", "linear", "quadratic"]
 Predictor = Callable[[Sequence[Motion], Kinematics], Motion]
@@ -22,10 +23,11 @@ def linear(past: Sequence[Motion], kinematics: Kinematics) -> Motion:
 
 
 def quadratic(past: Sequence[Motion], kinematics: Kinematics) -> Motion:
-    """q^0 = 3 q^n - 3 q^{n-1} + q^{n-2}, tied by the integrator; `linear` before that."""
-    if len(past) < 3:
-        return linear(past, kinematics)
-    q0, q1, q2 = (motion.position for motion in past[:3])
+    """q^0 = 3 q^n - 3 q^{n-1} + q^{n-2}, tied by the integrator.
+
+    Levels before the start lie on the parabola of its velocity and acceleration.
+    """
+    q0, q1, q2 = positions(past, kinematics.dt, 3)
     return kinematics.at_position(3 * (q0 - q1) + q2)
 
 

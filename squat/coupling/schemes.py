@@ -9,7 +9,7 @@ import numpy as np
 from squat.dynamics import Kinematics, Motion
 from squat.quantities import Vector
 
-SchemeName = Literal["standard", "corrected"]
+SchemeName = Literal["standard", "corrected", "consistent"]
 
 
 @dataclass(frozen=True)

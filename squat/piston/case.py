@@ -48,9 +48,9 @@ class PistonCase:
 
     @property
     def added_mass(self) -> float:
-        """m_add [kg] of the scheme; 0 for the standard one."""
-        ratio = 0.0 if self.scheme == "standard" else self.piston.added_mass_ratio
-        return ratio * self.oscillator.fluid_mass
+        """m_add [kg] of the scheme: 0 standard, m_f consistent."""
+        ratios = {"standard": 0.0, "corrected": self.piston.added_mass_ratio, "consistent": 1.0}
+        return ratios[self.scheme] * self.oscillator.fluid_mass
 
     def amplification(self) -> float:
         """G in closed form."""

@@ -8,11 +8,11 @@ from pydantic.dataclasses import dataclass
 
 from squat.channel import AnyHull, Channel
 from squat.coupling import Accelerator, Criterion, PredictorName, SchemeName
-from squat.dynamics import IntegratorName, TimeGrid
+from squat.dynamics import INTEGRATORS, IntegratorName, TimeGrid
 from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.accuracy import Accuracy
 from squat.fluid.model import FreeSurface
-from squat.fluid.rates import RateName
+from squat.fluid.rates import RATES, RateName
 from squat.mesh import MeshSize
 from squat.quantities import STRICT, Fraction, NonNegative, Position, Speed
 from squat.water import Water
@@ -27,7 +27,8 @@ class CouplingChoice:
     name
         What the record calls it.
     scheme
-        `standard` or `corrected` with m_add of Eq. (23) at w = 0.
+        `standard`; `corrected` with m_add of Eq. (23) at w = 0; `consistent` with
+        m_add = beta c(w^n), c of the fluid that the run couples to, refreshed in every step.
     integrator
         Form of w' and w'', see squat/dynamics/integrators.py.
     potential_rate
@@ -44,6 +45,12 @@ class CouplingChoice:
     accelerator: Annotated[Accelerator, Field(discriminator="name")]
     criterion: Criterion
     start: Literal["rest", "balanced"]
+
+    @property
+    def beta(self) -> float:
+        """Share s1 s2/s3 of the water's inertia c that one iteration feeds back."""
+        integrator = INTEGRATORS[self.integrator]
+        return integrator.s1 * RATES[self.potential_rate].s2 / integrator.s3
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)

@@ -1,5 +1,6 @@
 """What a run needs before it starts: mesh, added mass, loop."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -8,8 +9,8 @@ import numpy as np
 import xarray as xr
 
 from squat import records
-from squat.coupling import PREDICTORS, Coupling, corrected, standard
-from squat.dynamics import INTEGRATORS, RigidBody
+from squat.coupling import PREDICTORS, Coupling, Scheme, corrected, standard
+from squat.dynamics import INTEGRATORS, Motion, RigidBody
 from squat.errors import InputError
 from squat.fluid.accuracy import accurate
 from squat.fluid.model import forget
@@ -18,6 +19,7 @@ from squat.fluid.rates import RATES
 from squat.mesh import Mesh, submesh
 from squat.mesh.generate import generate
 from squat.mesh.ugrid import from_dataset
+from squat.quantities import Vector
 from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH
 from squat.records.schema import Kind
 from squat.stability.equilibria import OneDimensionalModel
@@ -52,21 +54,35 @@ def prepare(case: TransientCase) -> Parts:
     problem = ShipProblem(body, fluid, RATES[case.coupling.potential_rate])
     added = load_added_mass(case)
     omega = case.omega(added)
-    return Parts(problem, fluid, _coupling(case, body, added), added, omega, case.time.step(omega))
+    return Parts(
+        problem, fluid, _coupling(case, body, fluid, added), added, omega, case.time.step(omega)
+    )
 
 
-def _coupling(case: TransientCase, body: RigidBody, added_mass: float) -> Coupling:
+def _coupling(
+    case: TransientCase, body: RigidBody, fluid: PotentialFluid, added_mass: float
+) -> Coupling:
     choice = case.coupling
-    plain = choice.scheme == "standard"
-    m_add = np.array([[added_mass]])
-    scheme = standard(body.matrix) if plain else corrected(body.matrix, m_add)
     return Coupling(
-        lambda motion: scheme,
+        _scheme(case, body.matrix, fluid, added_mass),
         INTEGRATORS[choice.integrator],
         choice.accelerator,
         PREDICTORS[choice.predictor],
         choice.criterion,
     )
+
+
+def _scheme(
+    case: TransientCase, mass: Vector, fluid: PotentialFluid, added_mass: float
+) -> Callable[[Motion], Scheme]:
+    """The structure solve that follows a motion, see `CouplingChoice.scheme`."""
+    if case.coupling.scheme == "consistent":
+        beta = case.coupling.beta
+        return lambda motion: corrected(mass, beta * fluid.coefficients(motion.position).c)
+    fixed = corrected(mass, np.array([[added_mass]]))
+    if case.coupling.scheme == "standard":
+        fixed = standard(mass)
+    return lambda motion: fixed
 
 
 def load_mesh(case: TransientCase) -> Mesh:

@@ -17,7 +17,7 @@ from squat.errors import InputError
         (["piston.mass_ratio=true"], "piston.mass_ratio=True: must be a valid number"),
         (["piston.mass_ratio=abc"], "piston.mass_ratio=abc: must be a valid number"),
         (["time.steps_per_period=2.5"], "time.steps_per_period=2.5: must be a valid integer"),
-        (["scheme=foo"], "scheme=foo: must be 'standard' or 'corrected'"),
+        (["scheme=foo"], "scheme=foo: must be 'standard', 'corrected' or 'consistent'"),
         (["+foo=1"], "foo=1: unknown key; leave it out"),
         (["+piston.mas_ratio=1"], "piston.mas_ratio=1: unknown key; did you mean 'mass_ratio'?"),
         (["~piston.length"], "piston.length: missing; give piston.length=VALUE"),

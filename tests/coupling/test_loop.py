@@ -9,10 +9,13 @@ import pytest
 from squat.coupling import (
     PREDICTORS,
     Aitken,
+    Anderson,
     ConstantRelaxation,
     Coupling,
     Criterion,
+    InterfaceQuasiNewton,
     Load,
+    Monolithic,
     NoAcceleration,
     State,
     advance,
@@ -28,6 +31,10 @@ ACCELERATORS = {
     "none": NoAcceleration(name="none"),
     "relaxation": ConstantRelaxation(name="relaxation", factor=0.4),
     "aitken": Aitken(name="aitken", initial=0.4),
+    "anderson": Anderson(name="anderson", depth=5, mixing=0.5, condition=1e8),
+    "iqn_ils": InterfaceQuasiNewton(name="iqn_ils", initial=0.5, reuse=0, filter=1e-3),
+    "iqn_ils_reuse": InterfaceQuasiNewton(name="iqn_ils", initial=0.5, reuse=2, filter=1e-3),
+    "monolithic": Monolithic(name="monolithic"),
 }
 TIGHT = Criterion(name="absolute", tolerance=1e-14, iterations=2000, growth=1e8)
 
@@ -119,14 +126,20 @@ def test_divergence_ends_the_march_and_keeps_residuals_and_last_state():
     assert np.array_equal(taken[0].state.motion.position, start(heavy).motion.position)
 
 
-def test_non_finite_force_is_divergence_not_a_crash():
+@pytest.mark.parametrize("accelerator", ACCELERATORS)
+def test_non_finite_force_is_divergence_not_a_crash(accelerator):
     class Broken(Chain):
         def load(self, trial, memory, dt):
             return Load(np.array([np.nan, np.nan]))
 
     broken = Broken(CHAIN.mass, CHAIN.fluid, CHAIN.stiffness)
-    step = advance(broken, slots(), start(CHAIN), 0.02)
-    assert (step.status, step.iterations) == ("diverged", 1)
+    coupling = slots(accelerator=accelerator)
+    state = advance(CHAIN, coupling, start(CHAIN), 0.02).state
+    step = advance(broken, coupling, state, 0.02)
+    assert step.status == "diverged"
+    assert step.state is state
+    if accelerator != "monolithic":
+        assert step.iterations == 1
 
 
 def test_iteration_limit_is_a_status_of_its_own():
@@ -173,6 +186,12 @@ def test_predictors_are_exact_for_polynomials_of_their_degree(predictor, degree)
     assert PREDICTORS[predictor](past, ties).position == pytest.approx(
         dt**degree if degree else 1.0
     )
+
+
+def test_quadratic_predictor_starts_on_the_parabola_of_the_initial_motion():
+    start = Motion(np.array([1.0]), np.array([2.0]), np.array([6.0]))
+    ties = INTEGRATORS["newmark"].kinematics((start,), 0.1)
+    assert PREDICTORS["quadratic"]((start,), ties).position == pytest.approx(1.23, abs=1e-14)
 
 
 def test_contraction_needs_three_residuals():

@@ -126,6 +126,7 @@ def reference(parts, case, end):
     ("overrides", "order"),
     [
         (("coupling=newmark",), 2),
+        (("coupling=consistent",), 2),
         (("coupling=newmark", "coupling.potential_rate=trapezoidal"), 2),
         (("coupling=newmark", "coupling.integrator=backward"), 2),
         (("coupling=newmark", "coupling.potential_rate=backward_euler"), 1),
