@@ -1,6 +1,11 @@
-"""Ship and water as one conservative system of few degrees of freedom."""
+"""Ship and water as one conservative system of few degrees of freedom.
+
+P = M(q) q',   q' = M^-1 P,   P' = -dE/dq + Gam q',   E = P^T M^-1 P/2 + U(q)
+"""
 
 from typing import Protocol
+
+import numpy as np
 
 from squat.quantities import Vector
 
@@ -31,3 +36,29 @@ class Lagrangian(Protocol):
     def gyroscopic(self, q: Vector) -> Vector:
         """Gam, shape (n, n)."""
         ...
+
+
+class OneMode(Protocol):
+    """The same for one degree of freedom, in plain floats: long runs spend no time on arrays."""
+
+    def __call__(self, w: float) -> tuple[float, float, float, float]:
+        """M [kg/m], U [J/m], dM/dw, dU/dw at w."""
+        ...
+
+
+def inertial_force(gradient: Vector, velocity: Vector) -> Vector:
+    """-sum_jk (dM_ij/dq_k - dM_jk/dq_i/2) q_j' q_k', shape (n,), from dM_ij/dq_k at [i, j, k]."""
+    changing = gradient @ velocity @ velocity
+    return np.asarray(np.tensordot(velocity @ gradient, velocity, (0, 0)) / 2 - changing)
+
+
+def acceleration(system: Lagrangian, q: Vector, velocity: Vector) -> Vector:
+    """q'' (n,) of the free motion through q with velocity q'."""
+    force = inertial_force(system.mass_gradient(q), velocity) - system.gradient(q)
+    force += system.gyroscopic(q) @ velocity
+    return np.asarray(np.linalg.solve(system.mass(q), force), float)
+
+
+def energy(system: Lagrangian, q: Vector, velocity: Vector) -> float:
+    """E = q'^T M q'/2 + U [J/m]."""
+    return float(velocity @ system.mass(q) @ velocity) / 2 + system.potential(q)

@@ -5,7 +5,9 @@ geometrically. Slopes cost no solve, so each point gives two conditions: n point
 2 n terms.
 """
 
+import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -18,6 +20,8 @@ from squat.quantities import Vector
 
 POINTS = 16
 """Solved positions: values to 1e-9, slopes to 1e-7 over five e-foldings of the clearance."""
+SLACK = 1e-12
+"""Rounding allowed beyond the ends, over half the range."""
 
 
 class Meshed(EnergyModel, Protocol):
@@ -61,11 +65,29 @@ class Curves:
         a, b, c = (Chebyshev(column, domain=ends, window=[-1, 1]) for column in fitted.T)
         return Curves(clearance, (a, b, c), fluid.free_surface)
 
-    @property
+    @cached_property
     def ends(self) -> tuple[float, float]:
         """Least and greatest w [m]."""
-        low, high = np.exp(self.series[0].domain) - self.clearance
+        low, high = self.logarithms
+        return math.exp(low) - self.clearance, math.exp(high) - self.clearance
+
+    @cached_property
+    def logarithms(self) -> tuple[float, float]:
+        """Logarithms of the least and the greatest clearance."""
+        low, high = self.series[0].domain
         return float(low), float(high)
+
+    @cached_property
+    def tables(self) -> tuple[Vector, Vector, Vector]:
+        """Coefficients of a, b, c and of their first and second derivatives, (3, terms) each."""
+        rows = [
+            [s.deriv(order).coef if order else s.coef for s in self.series] for order in range(3)
+        ]
+        terms = len(self.series[0])
+        value, first, second = (
+            np.array([np.pad(row, (0, terms - len(row))) for row in three]) for three in rows
+        )
+        return value, first, second
 
     def coefficients(self, position: Vector) -> Coefficients:
         """Energy coefficients at `position`, shape (1,); PositionError beyond the curves' ends."""
@@ -79,30 +101,35 @@ class Curves:
 
     def values(self, w: ArrayLike) -> Vector:
         """a, b, c at w (...), shape (3, ...)."""
-        u = np.log(self._gap(w))
-        return np.array([s(u) for s in self.series])
+        _, basis = self._at(w)
+        return np.asarray(self.tables[0] @ basis).reshape(3, *np.shape(w))
 
     def first(self, w: ArrayLike) -> Vector:
         """da/dw, db/dw, dc/dw, shape (3, ...)."""
-        gap = self._gap(w)
-        return np.array([s.deriv()(np.log(gap)) / gap for s in self.series])
+        gap, basis = self._at(w)
+        return np.asarray(self.tables[1] @ basis / gap).reshape(3, *np.shape(w))
 
     def second(self, w: ArrayLike) -> Vector:
         """Second derivatives, shape (3, ...)."""
-        gap = self._gap(w)
-        u = np.log(gap)
-        return np.array([(s.deriv(2)(u) - s.deriv()(u)) / gap**2 for s in self.series])
+        gap, basis = self._at(w)
+        bend = (self.tables[2] - self.tables[1]) @ basis / gap**2
+        return np.asarray(bend).reshape(3, *np.shape(w))
 
-    def _gap(self, w: ArrayLike) -> Vector:
-        """Clearance at w [m]; raises PositionError beyond the ends, where series mean nothing."""
-        w, (low, high) = np.asarray(w, float), self.ends
-        slack = 1e-9 * self.clearance
-        if not np.all((w >= low - slack) & (w <= high + slack)):
-            raise PositionError(
-                f"heave={np.array2string(w, threshold=3)}: beyond the curves, which go from "
-                f"{low:.4g} to {high:.4g} m"
-            )
-        return w + self.clearance
+    def _at(self, w: ArrayLike) -> tuple[Vector, Vector]:
+        """Clearance (points,) at w and T_k = cos(k arccos x), shape (terms, points)."""
+        gap = np.ravel(np.asarray(w, float)) + self.clearance
+        low, high = self.logarithms
+        with np.errstate(invalid="ignore", divide="ignore"):
+            x = (2 * np.log(gap) - low - high) / (high - low)
+        if not np.all(np.abs(x) <= 1 + SLACK):
+            raise self.beyond(float(gap[~(np.abs(x) <= 1 + SLACK)][0]) - self.clearance)
+        angle = np.arccos(np.clip(x, -1, 1))
+        return gap, np.cos(np.arange(len(self.series[0]))[:, None] * angle)
+
+    def beyond(self, w: float) -> PositionError:
+        """The error of a position where the series mean nothing."""
+        low, high = self.ends
+        return PositionError(f"heave={w:g}: beyond the curves, {low:.6g} to {high:.6g} m")
 
 
 def _row(fluid: EnergyModel, w: float) -> Vector:

@@ -81,6 +81,7 @@ class PotentialFluid:
 
     def forget(self) -> None:
         """Answer from now on as a new object would: no kept factor, no recent solutions."""
+        self._last = None
         self._lid.forget()
         self._motion.forget()
 

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
+from squat.dynamics.lagrangian import inertial_force
 from squat.fluid.model import Coefficients, Slopes
 from squat.quantities import Vector
 
@@ -64,12 +65,6 @@ class UnitFlows(NamedTuple):
 def gyroscopic(slopes: Slopes, current: float) -> Vector:
     """Gam_ij = V (db_j/dq_i - db_i/dq_j), shape (n, n): antisymmetric, does no work."""
     return current * (slopes.b.T - slopes.b)
-
-
-def inertial_force(gradient: Vector, velocity: Vector) -> Vector:
-    """-sum_jk (dM_ij/dq_k - dM_jk/dq_i/2) q_j' q_k', shape (n,), from dM_ij/dq_k at [i, j, k]."""
-    along = np.einsum("ijk,j,k->i", gradient, velocity, velocity)
-    return np.asarray(np.einsum("jki,j,k->i", gradient, velocity, velocity) / 2 - along)
 
 
 def dynamic_force(

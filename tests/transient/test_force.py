@@ -5,7 +5,6 @@ import pytest
 
 from squat.errors import InputError
 from squat.fem import Factorised
-from squat.fluid.curves import Curves
 from squat.fluid.matching import RectangleReference, rigid_modes
 from squat.fluid.model import Flow
 from squat.mesh import PositionError
@@ -105,21 +104,6 @@ def test_blend_takes_the_current_from_the_lid_and_the_motion_from_zero_pressure(
     parts = lid.flow(at(-1), at(0)).potential + zero.flow(at(-1), at(0.3)).potential
     assert mixed == pytest.approx(parts, abs=1e-9 * np.abs(parts).max())
     assert np.all(blend.coefficients(at(0)).b == 0)
-
-
-def test_curves_are_the_coefficients_between_their_points(fluid, at):
-    water = fluid()
-    curves = Curves.of(water, -9.9, 5.0)
-    for w in (-9.5, -7.3, -1.234, 0.0, 4.4):
-        found = water.coefficients(at(w))
-        exact = np.array([found.a, found.b[0], found.c[0, 0]])
-        # Twenty points over five e-foldings of the clearance; P1 energies jitter at 1e-6 there.
-        assert curves.values(w) == pytest.approx(exact, rel=5e-6)
-        h = 1e-4 * (10 + w)
-        slope = (curves.values(w + h) - curves.values(w - h)) / (2 * h)
-        assert curves.first(w) == pytest.approx(slope, rel=1e-5, abs=1e-3)
-        bend = (curves.first(w + h) - curves.first(w - h)) / (2 * h)
-        assert curves.second(w) == pytest.approx(bend, rel=1e-5, abs=1e-3)
 
 
 def test_pressure_at_the_nodes_integrates_to_the_force(fluid, at):
