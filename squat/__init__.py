@@ -12,6 +12,8 @@ What a notebook needs, each name loaded when it is first used:
     The configuration of a task, without running it.
 `find_runs`
     A table of all runs below a folder: configuration, status, headline figures.
+`couple`, `Structure`
+    Your own structure and flow solver under every coupling scheme (docs/theory/coupling.md).
 `InputError`
     What any of them raises where the request cannot be met: key or file, value, remedy.
 
@@ -28,19 +30,31 @@ if TYPE_CHECKING:
     from squat.api import find_runs, open_run, run
     from squat.config.compose import compose
     from squat.errors import InputError
+    from squat.external import Structure, couple
     from squat.records import config_of
 
     __version__: str
 
 _HOMES = {
     "InputError": "squat.errors",
+    "Structure": "squat.external",
     "compose": "squat.config",
     "config_of": "squat.records",
+    "couple": "squat.external",
     "find_runs": "squat.api",
     "open_run": "squat.api",
     "run": "squat.api",
 }
-__all__ = ["InputError", "compose", "config_of", "find_runs", "open_run", "run"]
+__all__ = [
+    "InputError",
+    "Structure",
+    "compose",
+    "config_of",
+    "couple",
+    "find_runs",
+    "open_run",
+    "run",
+]
 
 
 def __getattr__(name: str) -> Any:
