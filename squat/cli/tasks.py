@@ -8,7 +8,7 @@ from typing import Any
 
 import xarray as xr
 
-from squat import analysis, catalogue, figures, piston, records, transient
+from squat import analysis, catalogue, figures, piston, records, reduced, transient
 from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
@@ -34,7 +34,7 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "inertia": inertia.run,
     "sensitivity": sensitivity.run,
 }
-TASKS = (*DATASETS, "transient")
+TASKS = (*DATASETS, "reduced", "transient")
 """Tasks that make a dataset."""
 FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
     "table": (".csv", analysis.write_table),
@@ -61,6 +61,9 @@ def run_task(valid: Valid, folder: Path) -> None:
     records.claim(path)
     if task == "transient":
         dataset = _transient(valid, path, started)
+    elif task == "reduced":
+        dataset, groups = reduced.run(valid.case)
+        records.save(dataset, path, valid.config, started, groups)
     else:
         dataset = DATASETS[task](valid.case)
         records.save(dataset, path, valid.config, started)
@@ -82,6 +85,8 @@ def compute(valid: Valid) -> xr.Dataset:
     """Dataset of one of `TASKS`, in memory; snapshots and segments need a file and are left out."""
     if valid.settings.task == "transient":
         return transient.run(valid.case).dataset
+    if valid.settings.task == "reduced":
+        return reduced.run(valid.case).dataset
     return DATASETS[valid.settings.task](valid.case)
 
 

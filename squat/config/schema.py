@@ -21,6 +21,7 @@ from squat.mesh.case import MeshCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
 from squat.records.identity import HOUSEKEEPING
+from squat.reduced.case import ReducedCase
 from squat.stability.run import EquilibriaCase
 from squat.transient import TransientCase
 
@@ -32,6 +33,7 @@ CASES: dict[str, type] = {
     "added_mass": AddedMassCase,
     "inertia": InertiaCase,
     "sensitivity": SensitivityCase,
+    "reduced": ReducedCase,
     "transient": TransientCase,
     "table": TableCase,
     "verdicts": VerdictsCase,

@@ -119,6 +119,22 @@ class AffineStiffness:
         """The constant matrix K_j."""
         return self.matrix(np.eye(1, self.terms, j)[0])
 
+    def project(self, V: Vector) -> Vector:
+        """V K_j V^T of every term for functions V (N, size), shape (terms, N, N).
+
+        From gradients: K_j V would round off at the size of V, not of its gradient.
+        """
+        basis, zones = self.space.basis, len(self.mesh.submesh.triangles)
+        gradient = np.stack([basis.interpolate(v).grad for v in V])  # (N, d, cells, points)
+        scaled = gradient * np.sqrt(basis.dx)
+        out = []
+        for z in range(zones):
+            inside = scaled[:, :, self.mesh.zone == z].reshape(len(V), scaled.shape[1], -1)
+            for a, b in metric_entries(basis.mesh.dim()):
+                product = inside[:, a] @ inside[:, b].T
+                out.append(product if a == b else product + product.T)
+        return np.array(out)
+
     def at(self, q: Vector) -> sparse.csc_array:
         """K(q); raises PositionError where `q` is inadmissible."""
         return self.matrix(self.theta(q))

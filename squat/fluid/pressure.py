@@ -34,11 +34,7 @@ class HullPressure:
     @cached_property
     def beside(self) -> Index:
         """Nodes (k, 3) of the triangle beside each edge."""
-        sides = np.concatenate([self.mesh.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
-        key = sides @ [len(self.mesh.points), 1]
-        order = np.argsort(key)
-        place = order[np.searchsorted(key[order], self.edges @ [len(self.mesh.points), 1])]
-        return np.asarray(self.mesh.triangles[place % len(self.mesh.triangles)])
+        return np.asarray(self.mesh.triangles[beside(self.mesh)])
 
     @cached_property
     def _weights(self) -> tuple[sparse.csr_array, sparse.csr_array]:
@@ -88,6 +84,15 @@ class HullPressure:
         total = np.bincount(self.edges.ravel(), ends.ravel(), minlength=size)
         count = np.bincount(self.edges.ravel(), minlength=size)
         return np.asarray(total[self.nodes] / count[self.nodes])
+
+
+def beside(mesh: Mesh) -> Index:
+    """The triangle (k,) beside each edge of the hull."""
+    sides = np.concatenate([mesh.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
+    key = sides @ [len(mesh.points), 1]
+    order = np.argsort(key)
+    edges = mesh.boundary["Ship"] @ [len(mesh.points), 1]
+    return np.asarray(order[np.searchsorted(key[order], edges)] % len(mesh.triangles))
 
 
 def gradients(corners: Vector, values: Vector) -> Vector:

@@ -44,7 +44,9 @@ def to_dataset(mesh: Mesh, q: Vector) -> xr.Dataset:
         "moved_quality": quality(moved, mesh.triangles),
         **{f"moved_{mode}": value for mode, value in zip(MODES, q, strict=True)},
         "order": mesh.order,
-        **_coarse(mesh.submesh, q),
+        **coarse_variables(mesh.submesh),
+        "moved_corner_x": mesh.submesh.positions(q)[:, 0],
+        "moved_corner_z": mesh.submesh.positions(q)[:, 1],
     }
     dataset = build(MESH, data)
     dataset["topology"].attrs.update(_TOPOLOGY)
@@ -54,9 +56,8 @@ def to_dataset(mesh: Mesh, q: Vector) -> xr.Dataset:
     return dataset
 
 
-def _coarse(submesh: Submesh, q: Vector) -> dict[str, object]:
-    """Variables of the coarse triangulation."""
-    moved = submesh.positions(q)
+def coarse_variables(submesh: Submesh) -> dict[str, object]:
+    """Variables of the coarse triangulation and of its motion."""
     anchors = submesh.motion.anchors
     return {
         "corner_x": submesh.rest[:, 0],
@@ -69,8 +70,6 @@ def _coarse(submesh: Submesh, q: Vector) -> dict[str, object]:
         "keel_corner": submesh.keel,
         "bed_x": submesh.bed[:, 0],
         "bed_z": submesh.bed[:, 1],
-        "moved_corner_x": moved[:, 0],
-        "moved_corner_z": moved[:, 1],
         "center": submesh.motion.center,
         "axis": ["x", "z"],
         "limits": astuple(submesh.limits),
@@ -80,22 +79,26 @@ def _coarse(submesh: Submesh, q: Vector) -> dict[str, object]:
 
 def from_dataset(dataset: xr.Dataset, modes: tuple[str, ...] = MODES) -> Mesh:
     """The mesh in a dataset of kind `mesh`, with its motion in `modes`."""
-
-    def pair(x: str, z: str) -> Vector:
-        return np.column_stack([dataset[x].values, dataset[z].values])
-
-    limits = Limits(*dataset["limits"].values.tolist())
-    anchors = Anchors(*(dataset[f"corner_{n}"].values for n in ("role", "partner", "slope")))
-    rest = pair("corner_x", "corner_z")
-    motion = RigidMotion(rest, anchors, dataset["center"].values, limits.level)
-    zones, hull, keel = (dataset[f"{name}_corner"].values for name in ("zone", "hull", "keel"))
-    submesh = Submesh(zones, motion, hull, keel, pair("bed_x", "bed_z"), limits, modes)
     edges, kind = dataset["edge_node"].values, dataset["edge_boundary"].values
     return Mesh(
-        submesh,
-        pair("node_x", "node_z"),
+        submesh_from(dataset, modes),
+        _pair(dataset, "node_x", "node_z"),
         dataset["face_node"].values,
         dataset["face_zone"].values,
         {name: edges[kind == i] for i, name in enumerate(BOUNDARIES)},
         2 if int(dataset["order"]) == 2 else 1,
     )
+
+
+def submesh_from(dataset: xr.Dataset, modes: tuple[str, ...]) -> Submesh:
+    """The coarse triangulation in a dataset that holds `coarse_variables`."""
+    limits = Limits(*dataset["limits"].values.tolist())
+    anchors = Anchors(*(dataset[f"corner_{n}"].values for n in ("role", "partner", "slope")))
+    rest = _pair(dataset, "corner_x", "corner_z")
+    motion = RigidMotion(rest, anchors, dataset["center"].values, limits.level)
+    zones, hull, keel = (dataset[f"{name}_corner"].values for name in ("zone", "hull", "keel"))
+    return Submesh(zones, motion, hull, keel, _pair(dataset, "bed_x", "bed_z"), limits, modes)
+
+
+def _pair(dataset: xr.Dataset, x: str, z: str) -> Vector:
+    return np.column_stack([dataset[x].values, dataset[z].values])
