@@ -8,7 +8,7 @@ import sys
 
 sys.path.insert(0, workflow.basedir)
 
-from workflows.graph import caption, cases, configured
+from workflows.graph import cases, configured
 
 RESULTS = config.get("results", "results")
 CASES = config.get("cases", "paper")

@@ -23,8 +23,3 @@ def cases(group: str, choice: str) -> dict[str, list[Any]]:
     found = compose("transient", f"+cases/{group}@cases={choice}")["cases"]
     assert isinstance(found, dict)
     return found
-
-
-def caption(name: str) -> str:
-    """Path of a caption of the report."""
-    return str(ROOT / "workflows" / "report" / f"{name}.rst")

@@ -11,7 +11,6 @@ from pydantic.dataclasses import dataclass
 from squat import published, records
 from squat.analysis import equilibria_tables, inertia_tables, piston_tables
 from squat.analysis.lookup import Reader
-from squat.analysis.pages import write_frame
 from squat.analysis.verdict import DIFFERS, INCONSISTENT, Verdict, difference, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
@@ -78,8 +77,8 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
 
 
 def write_table(case: TableCase, path: Path) -> None:
-    """Write one table as CSV and as a page."""
+    """Write one table as CSV."""
     frame = compare(case.name, records.read(Path(case.data), TABLES[case.name][0]))
     if frame.empty:
         raise InputError(f"data={case.data}: holds no cell of {case.name}; run the paper's cases")
-    write_frame(frame, path)
+    records.save_table(frame, path)

@@ -10,7 +10,6 @@ from pydantic.dataclasses import dataclass
 from squat import published, records
 from squat.analysis import inertia_claims, transient_claims  # noqa: F401  (register their checks)
 from squat.analysis.claims import CHECKS, Finding, Sources
-from squat.analysis.pages import write_frame
 from squat.analysis.tables import TABLES
 from squat.analysis.verdict import Verdict, judge
 from squat.errors import InputError
@@ -105,4 +104,4 @@ def write_verdicts(case: VerdictsCase, path: Path) -> None:
         transients=tuple(records.read(Path(name), TRANSIENT) for name in case.transients),
     )
     rows = [row for name in case.tables for row in table_rows(Path(name))]
-    write_frame(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)
+    records.save_table(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)

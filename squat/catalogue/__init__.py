@@ -2,13 +2,14 @@
 
 from squat.catalogue.difference import DifferenceCase, write_difference
 from squat.catalogue.find import RESULT, find
-from squat.catalogue.select import select, varying
+from squat.catalogue.select import columns, select, varying
 from squat.catalogue.task import CatalogueCase, write_catalogue
 
 __all__ = [
     "RESULT",
     "CatalogueCase",
     "DifferenceCase",
+    "columns",
     "find",
     "select",
     "varying",

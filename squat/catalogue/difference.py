@@ -40,5 +40,4 @@ def write_difference(case: DifferenceCase, path: Path) -> None:
     """Print the difference, and write it to `path` as CSV."""
     frame = difference(*map(Path, case.runs))
     print(frame.to_string(index=False, na_rep="-") if len(frame) else "no difference")
-    with records.atomic(path) as temporary:
-        frame.to_csv(temporary, index=False)
+    records.save_table(frame, path)

@@ -32,7 +32,7 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
         A place does not exist, or holds no run.
     """
     places = list(places)
-    rows = [row for path in _files(places) if (row := _row(path)) is not None]
+    rows = [row for path in files(places) if (row := _row(path)) is not None]
     if not rows:
         names = ", ".join(map(str, places))
         raise InputError(f"runs={names}: holds no run; give a folder with files of squat")
@@ -40,7 +40,8 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
     return frame[[*FIXED, *(name for name in frame.columns if name not in FIXED)]]
 
 
-def _files(places: Iterable[Path]) -> Iterator[Path]:
+def files(places: Iterable[Path]) -> Iterator[Path]:
+    """NetCDF files in `places`, hidden ones left out."""
     for place in places:
         if not place.exists():
             raise InputError(f"runs={place}: no such file or folder; give where the runs lie")

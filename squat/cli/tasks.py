@@ -8,7 +8,7 @@ from typing import Any
 
 import xarray as xr
 
-from squat import analysis, catalogue, figures, piston, records, reduced, transient
+from squat import analysis, catalogue, figures, piston, records, reduced, report, transient
 from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
@@ -43,6 +43,7 @@ FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
     "catalogue": (".parquet", catalogue.write_catalogue),
     "difference": (".csv", catalogue.write_difference),
     "compare": (".png", figures.write_compare),
+    "report": (".html", report.write_report),
 }
 
 

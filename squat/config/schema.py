@@ -22,6 +22,7 @@ from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
 from squat.records.identity import HOUSEKEEPING
 from squat.reduced.case import ReducedCase
+from squat.report import ReportCase
 from squat.stability.run import EquilibriaCase
 from squat.transient import TransientCase
 
@@ -41,6 +42,7 @@ CASES: dict[str, type] = {
     "catalogue": CatalogueCase,
     "difference": DifferenceCase,
     "compare": CompareCase,
+    "report": ReportCase,
 }
 
 

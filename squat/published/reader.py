@@ -61,6 +61,11 @@ def table(name: str) -> list[Printed]:
     return [Printed({"quantity": row[0]}, row[1]) for row in frame.itertuples(index=False)]
 
 
+def layout(name: str) -> tuple[str, ...]:
+    """Keys of a table: the one down the page, and the one across where there is one."""
+    return _ACROSS.get(name) or tuple(table(name)[0].keys)
+
+
 def claims() -> pd.DataFrame:
     """Checkable sentences, indexed by id: claim, where, paper, unit."""
     return _read("claims.csv").set_index("id")

@@ -1,6 +1,6 @@
 """Datasets on disk: self-describing, written whole or not at all, checked when read."""
 
-from squat.records.files import atomic, claim, read, read_group, save, stamp
+from squat.records.files import atomic, claim, read, read_group, save, save_table, stamp
 from squat.records.identity import identity, strict_identity
 from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
@@ -21,6 +21,7 @@ __all__ = [
     "read",
     "read_group",
     "save",
+    "save_table",
     "stamp",
     "strict_identity",
 ]

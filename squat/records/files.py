@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import h5netcdf  # noqa: F401  (a missing engine must fail at import, not after a long run)
+import pandas as pd
 import xarray as xr
 
 from squat.errors import InputError
@@ -107,6 +108,12 @@ def save(
         for name, group in (groups or {}).items():
             packed = dict.fromkeys(group.data_vars, _PACKED)
             group.to_netcdf(temporary, engine="h5netcdf", group=name, mode="a", encoding=packed)
+
+
+def save_table(frame: pd.DataFrame, path: Path) -> None:
+    """Write `frame` to `path` as CSV, whole or not at all."""
+    with atomic(path) as temporary:
+        frame.to_csv(temporary, index=False)
 
 
 def read(path: Path, kind: Kind | None = None) -> xr.Dataset:

@@ -16,13 +16,7 @@ rule table:
     input:
         lambda wildcards: TABLES[wildcards.table],
     output:
-        csv=f"{RESULTS}/tables/{{table}}.csv",
-        page=report(
-            f"{RESULTS}/tables/{{table}}.html",
-            caption=caption("table"),
-            category="The paper's tables",
-            labels={"table": "{table}"},
-        ),
+        f"{RESULTS}/tables/{{table}}.csv",
     log:
         f"{RESULTS}/logs/{{table}}.log",
     benchmark:
@@ -30,13 +24,13 @@ rule table:
     wildcard_constraints:
         table="|".join(TABLES),
     shell:
-        "squat task=table name={wildcards.table} 'data=\"{input}\"' 'out=\"{output.csv}\"'"
+        "squat task=table name={wildcards.table} 'data=\"{input}\"' 'out=\"{output}\"'"
         " > {log:q} 2>&1"
 
 
 rule verdicts:
     input:
-        tables=expand(rules.table.output.csv, table=TABLES),
+        tables=expand(rules.table.output, table=TABLES),
         iterations=rules.iterations.output[0],
         equilibria=rules.equilibria.output[0],
         table4=f"{ADDED_MASS}/table4.nc",
@@ -44,13 +38,7 @@ rule verdicts:
         table6=f"{ADDED_MASS}/table6.nc",
         transients=TRANSIENTS,
     output:
-        csv=f"{RESULTS}/tables/verdicts.csv",
-        page=report(
-            f"{RESULTS}/tables/verdicts.html",
-            caption=caption("verdicts"),
-            category="Summary",
-            labels={"table": "All verdicts"},
-        ),
+        f"{RESULTS}/tables/verdicts.csv",
     log:
         f"{RESULTS}/logs/verdicts.log",
     benchmark:
@@ -66,5 +54,5 @@ rule verdicts:
             if name not in ("tables", "transients")
         ),
     shell:
-        "squat task=verdicts 'tables=[{params.tables}]' {params.data} 'transients=[{params.transients}]' 'out=\"{output.csv}\"'"
+        "squat task=verdicts 'tables=[{params.tables}]' {params.data} 'transients=[{params.transients}]' 'out=\"{output}\"'"
         " > {log:q} 2>&1"

@@ -1,4 +1,4 @@
-# Figures, as PNG and SVG; one rule a figure, so that each has its caption in the report.
+# Figures, as PNG and SVG; one rule a figure. Captions: conf/contents/paper.yaml.
 FIGURES = {
     "fig3": rules.mesh.output[0],
     "fig5": rules.mesh.output[0],
@@ -28,12 +28,7 @@ for FIGURE, SOURCE in FIGURES.items():
         input:
             SOURCE,
         output:
-            png=report(
-                f"{RESULTS}/figures/{FIGURE}.png",
-                caption=caption(FIGURE),
-                category="Figures",
-                labels={"figure": FIGURE},
-            ),
+            png=f"{RESULTS}/figures/{FIGURE}.png",
             svg=f"{RESULTS}/figures/{FIGURE}.svg",
         log:
             f"{RESULTS}/logs/{FIGURE}.log",

@@ -24,8 +24,7 @@ rule report:
     benchmark:
         f"{RESULTS}/benchmarks/report.tsv"
     params:
-        config=f"results={RESULTS} cases={CASES}",
-        snakefile=workflow.main_snakefile,
+        results=RESULTS,
+        config=configured("report"),
     shell:
-        "snakemake contents --snakefile {params.snakefile:q} --config {params.config}"
-        " --nolock --report {output:q} > {log:q} 2>&1"
+        "squat task=report 'results=\"{params.results}\"' 'out=\"{output}\"' > {log:q} 2>&1"

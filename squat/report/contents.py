@@ -1,0 +1,107 @@
+"""What a report shows, in which order: `conf/contents/`."""
+
+import re
+from collections.abc import Iterator
+from typing import Annotated
+
+from pydantic import Field
+from pydantic.dataclasses import dataclass
+
+from squat.errors import InputError
+from squat.quantities import STRICT
+
+_KINDS = ("figure", "table", "claims", "runs", "files")
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Block:
+    """One figure, table, list of claims, list of runs, or list of files.
+
+    Parameters
+    ----------
+    figure
+        Name of a figure in `figures/`.
+    table
+        Name of a table in `tables/`.
+    claims
+        Names of sentences in `published/claims.csv`.
+    runs
+        Condition on the catalogue of the results.
+    columns
+        Columns of the catalogue to show with `runs`.
+    files
+        Pattern of files below the results, to link to.
+    title, text
+        Heading and caption.
+    """
+
+    figure: str | None = None
+    table: str | None = None
+    claims: tuple[str, ...] | None = None
+    runs: str | None = None
+    columns: tuple[str, ...] = ()
+    files: str | None = None
+    title: str = ""
+    text: str = ""
+
+    def __post_init__(self) -> None:
+        if sum(getattr(self, kind) is not None for kind in _KINDS) != 1:
+            raise InputError(f"contents: a block has one of {', '.join(_KINDS)}; see {self}")
+
+    @property
+    def kind(self) -> str:
+        """Which of the five it is."""
+        return next(kind for kind in _KINDS if getattr(self, kind) is not None)
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Section:
+    """A heading with blocks."""
+
+    title: str
+    blocks: Annotated[tuple[Block, ...], Field(min_length=1)]
+    text: str = ""
+
+    @property
+    def anchor(self) -> str:
+        """What links to the section end with."""
+        return "section-" + re.sub(r"\W+", "-", self.title.lower()).strip("-")
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Part:
+    """The paper, or what goes beyond it."""
+
+    title: str
+    sections: tuple[Section, ...]
+    text: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class Contents:
+    """All parts of a report."""
+
+    parts: Annotated[tuple[Part, ...], Field(min_length=1)]
+
+    @property
+    def blocks(self) -> Iterator[Block]:
+        """Every block, in order."""
+        for part in self.parts:
+            for section in part.sections:
+                yield from section.blocks
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class ReportCase:
+    """Which results, and what of them.
+
+    Parameters
+    ----------
+    results
+        Folder that holds `figures/`, `tables/` and datasets.
+    contents
+        Parts, sections and blocks.
+    """
+
+    results: str
+    contents: Contents

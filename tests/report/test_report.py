@@ -1,0 +1,95 @@
+"""The report: whole, self-contained, complete, the same every time."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from matplotlib.figure import Figure
+
+import squat as api
+from squat import published
+from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH
+from squat.errors import InputError
+from squat.figures.files import save
+from squat.report import write_report
+from squat.report.provenance import digest
+from tests.report.page import Page
+
+NAMES = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
+
+
+@pytest.fixture
+def report(case):
+    return lambda results: case("report", f'results="{results}"')
+
+
+@pytest.fixture
+def results(tmp_path, report):
+    """A folder of results in which all that is printed is also computed."""
+    contents = report(tmp_path).contents
+    for name in filter(None, (block.figure for block in contents.blocks)):
+        figure = Figure(figsize=(1, 1))
+        figure.add_subplot().plot(np.arange(3))
+        (tmp_path / "figures").mkdir(exist_ok=True)
+        save(figure, tmp_path / "figures" / f"{name}.png")
+    (tmp_path / "tables").mkdir()
+    rows = []
+    for name in filter(None, (block.table for block in contents.blocks)):
+        cells = [
+            {**cell.keys, "paper": cell.text, "here": cell.text, "verdict": MATCH, "note": ""}
+            for cell in published.table(name)
+        ]
+        rows += [{**cell, "claim": f"{name} {n}"} for n, cell in enumerate(cells)]
+        pd.DataFrame(cells).to_csv(tmp_path / "tables" / f"{name}.csv", index=False)
+    claims = published.claims()
+    rows += [{**row, "here": "<b>", "verdict": DIFFERS} for row in claims.to_dict("records")]
+    rows[-1]["verdict"] = INCONSISTENT
+    frame = pd.DataFrame(rows).reindex(columns=NAMES)
+    frame.to_csv(tmp_path / "tables" / "verdicts.csv", index=False)
+    run = api.run("transient", "mesh=coarse", "accuracy.near=0.4", "time.periods=0.03")
+    run.to_netcdf(tmp_path / "run.nc", engine="h5netcdf")
+    return tmp_path
+
+
+def test_the_page_is_whole_and_loads_nothing(results, report):
+    write_report(report(results), results / "report.html")
+    page = Page(results / "report.html")
+    assert page.faults == []
+    assert len(page.pictures) == sum(1 for b in report(results).contents.blocks if b.figure)
+    frame = pd.read_csv(results / "tables" / "verdicts.csv")
+    text = " ".join("".join(page.words).split())
+    for verdict, count in frame["verdict"].value_counts().items():
+        assert f"{count} {verdict.replace('differs', 'differ')}" in text
+    assert str(results) not in page.text
+    assert "&lt;b&gt;" in page.text
+    before = page.text
+    write_report(report(results), results / "report.html")
+    assert (results / "report.html").read_text() == before
+
+
+def test_every_sentence_and_table_of_the_paper_has_one_place(report):
+    blocks = list(report("results").contents.blocks)
+    claims = [name for block in blocks for name in block.claims or ()]
+    assert sorted(claims) == sorted(published.claims().index)
+    tables = [block.table for block in blocks if block.table]
+    assert tables == [*(f"table{n}" for n in range(1, 6)), "table5_critical", "table6", "table7"]
+
+
+@pytest.mark.parametrize("name", ["figures/fig10.svg", "tables/table3.csv", "tables/verdicts.csv"])
+def test_what_is_missing_is_named(results, report, name):
+    (results / name).unlink()
+    with pytest.raises(InputError, match=rf"{name}.*run snakemake all first"):
+        write_report(report(results), results / "report.html")
+    assert not (results / "report.html").exists()
+
+
+def test_a_block_shows_one_thing(case):
+    parts = "contents.parts=[{title: a, sections: [{title: b, blocks: [{title: c}]}]}]"
+    with pytest.raises(InputError, match="a block has one of figure, table, claims, runs, files"):
+        case("report", parts)
+
+
+def test_provenance_depends_on_physics_and_not_on_paths():
+    config = api.compose("transient")
+    moved = {**config, "out": "elsewhere.nc", "inputs": {**config["inputs"], "mesh": "other.nc"}}
+    assert digest(moved) == digest(config)
+    assert digest({**config, "current": 2.0}) != digest(config)
