@@ -1,8 +1,9 @@
 """Partitioned coupling of a structure with a fluid: one loop, independent slots."""
 
 from squat.coupling.accelerators import Accelerator, Aitken, ConstantRelaxation, NoAcceleration
+from squat.coupling.conserving import Conserving
 from squat.coupling.criteria import Criterion
-from squat.coupling.loop import Coupling, State, Status, Step, advance, march
+from squat.coupling.loop import Coupling, State, Status, Step, advance, march, repeated
 from squat.coupling.monolithic import Monolithic
 from squat.coupling.predictors import PREDICTORS, Predictor, PredictorName
 from squat.coupling.problem import Load, Problem
@@ -14,6 +15,7 @@ __all__ = [
     "Accelerator",
     "Aitken",
     "Anderson",
+    "Conserving",
     "ConstantRelaxation",
     "Coupling",
     "Criterion",
@@ -33,5 +35,6 @@ __all__ = [
     "advance",
     "corrected",
     "march",
+    "repeated",
     "standard",
 ]

@@ -59,6 +59,7 @@ class State:
 class Step:
     """One time step: its end, how the iteration went, and the answer accepted last.
 
+    `force` is that answer; NaN where structure and fluid were stepped as one system.
     `residuals` holds |q^{k+1} - q^k| [m] of every iteration; `contraction` is the signed
     factor by which the residual vector changes from one iteration to the next.
     """
@@ -169,8 +170,13 @@ def march(
     problem: Problem, coupling: Coupling, state: State, dt: float, steps: int
 ) -> Iterator[Step]:
     """At most `steps` steps of size `dt` [s], ending with the first that does not converge."""
+    return repeated(lambda state: advance(problem, coupling, state, dt), state, steps)
+
+
+def repeated(advance: Callable[[State], Step], state: State, steps: int) -> Iterator[Step]:
+    """At most `steps` steps by `advance`, ending with the first that does not converge."""
     for _ in range(steps):
-        step = advance(problem, coupling, state, dt)
+        step = advance(state)
         yield step
         if step.status != "converged":
             return

@@ -1,7 +1,7 @@
 """Motion of a rigid body in time: what it is, and how it is discretised."""
 
 from squat.dynamics.body import RigidBody
-from squat.dynamics.integrators import INTEGRATORS, Integrator, IntegratorName, Kinematics
+from squat.dynamics.integrators import INTEGRATORS, Integrator, IntegratorName, Kinematics, StepName
 from squat.dynamics.motion import Motion
 from squat.dynamics.time import TimeGrid
 
@@ -12,5 +12,6 @@ __all__ = [
     "Kinematics",
     "Motion",
     "RigidBody",
+    "StepName",
     "TimeGrid",
 ]

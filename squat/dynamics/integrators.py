@@ -129,6 +129,8 @@ class Backward:
 
 
 IntegratorName = Literal["newmark", "centred", "centred_backward", "backward"]
+StepName = IntegratorName | Literal["energy_momentum"]
+"""How a step is taken: by an integrator of the coupling loop, or with the fluid as one system."""
 INTEGRATORS: dict[IntegratorName, Integrator] = {
     "newmark": Newmark(),
     "centred": Centred(),

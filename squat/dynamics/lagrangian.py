@@ -7,6 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
+from squat.dynamics.motion import Motion
 from squat.quantities import Vector
 
 
@@ -52,11 +53,20 @@ def inertial_force(gradient: Vector, velocity: Vector) -> Vector:
     return np.asarray(np.tensordot(velocity @ gradient, velocity, (0, 0)) / 2 - changing)
 
 
+def force(system: Lagrangian, motion: Motion, mass: Vector) -> Vector:
+    """What moves a body of the constant matrix `mass` (n, n) as `system` moves, shape (n,).
+
+    F = -dU/dq + Gam q' - (M - mass) q'' - (dM_ij/dq_k - dM_jk/dq_i/2) q_j' q_k'.
+    """
+    q, velocity, acceleration = motion
+    free = inertial_force(system.mass_gradient(q), velocity) + system.gyroscopic(q) @ velocity
+    return np.asarray(free - system.gradient(q) - (system.mass(q) - mass) @ acceleration)
+
+
 def acceleration(system: Lagrangian, q: Vector, velocity: Vector) -> Vector:
     """q'' (n,) of the free motion through q with velocity q'."""
-    force = inertial_force(system.mass_gradient(q), velocity) - system.gradient(q)
-    force += system.gyroscopic(q) @ velocity
-    return np.asarray(np.linalg.solve(system.mass(q), force), float)
+    still = force(system, Motion(q, velocity, np.zeros_like(q)), np.zeros((len(q), len(q))))
+    return np.asarray(np.linalg.solve(system.mass(q), still), float)
 
 
 def energy(system: Lagrangian, q: Vector, velocity: Vector) -> float:

@@ -82,6 +82,12 @@ class ShipEnergy:
         """The same ship in another current; a, b, c do not depend on it."""
         return replace(self, current=current)
 
+    @property
+    def lengths(self) -> Vector:
+        """What makes the coordinates comparable, shape (n,): 1, for pitch L/2 [m]."""
+        half = self.hydrostatics.length / 2
+        return np.array([half if mode == "pitch" else 1.0 for mode in self.body.modes])
+
     def mass(self, q: Vector) -> Vector:
         """M = M_s + c, shape (n, n)."""
         return self.body.mass_matrix(q) + self.model.coefficients(q).c
@@ -127,6 +133,13 @@ class ShipEnergy:
         ship = float(velocity @ self.body.mass_matrix(q) @ velocity) / 2
         water = (V**2 * a + 2 * V * crossed + float(velocity @ c @ velocity)) / 2
         return Energies(ship, water, *self._potentials(q), V * (V * a + crossed))
+
+    def end_power(self, motion: Motion) -> float:
+        """Power [W/m] that enters through In and Out: V d/dt (V a + b.q') at constant V."""
+        q, velocity, acceleration = motion
+        slopes, V = self.model.slopes(q), self.current
+        rate = V * slopes.a @ velocity + velocity @ slopes.b @ velocity
+        return float(V * (rate + self.model.coefficients(q).b @ acceleration))
 
     def _potentials(self, q: Vector) -> tuple[float, float]:
         """U_h + m g z_G and U_B, each from its value at rest."""

@@ -220,9 +220,23 @@ TRANSIENT = Kind(
         "potential_energy": Variable(_TIME, "J m-1", "E_p = m g (T + w) of the ship"),
         "fluid_work": Variable(_TIME, "J m-1", "W = -int w' F dt, work of the ship on the water"),
         "fluid_inertia": Variable(_TIME, "kg m-1", "c(w), inertia of the water in heave"),
-        "hull_pressure": Variable(("time", "hull_node"), "Pa", "pressure less atmospheric"),
-        "hull_x": Variable(("hull_node",), "m", "x of the hull's nodes at rest, from the bow"),
-        "hull_z": Variable(("hull_node",), "m", "z of the hull's nodes at rest, from the bottom"),
+        "water_energy": Variable(_TIME, "J m-1", "T_f = (V^2 a + 2 V b w' + c w'^2)/2"),
+        "static_energy": Variable(_TIME, "J m-1", "U_h + m g w from rest: still water and weight"),
+        "stream_energy": Variable(_TIME, "J m-1", "U_B = rho V^2 A_sub/2 from rest"),
+        "end_power": Variable(_TIME, "W m-1", "power that enters through In and Out"),
+        "end_work": Variable(_TIME, "J m-1", "work of In and Out since t = 0, V (V a + b w')"),
+        "energy_residual": Variable(
+            _TIME, "J m-1", "energy of ship and water gained since t = 0 less end_work"
+        ),
+        "hull_pressure": Variable(
+            ("time", "hull_node"), "Pa", "pressure less atmospheric", required=False
+        ),
+        "hull_x": Variable(
+            ("hull_node",), "m", "x of the hull's nodes at rest, from the bow", required=False
+        ),
+        "hull_z": Variable(
+            ("hull_node",), "m", "z of the hull's nodes at rest, from the bottom", required=False
+        ),
         "stable_root": Variable((), "m", "upper root of Eq. (27) at this current; NaN: none"),
         "unstable_root": Variable((), "m", "lower root of Eq. (27) at this current; NaN: none"),
         "added_mass": Variable((), "kg m-1", "m_add of Eq. (23) at w = 0"),
@@ -230,7 +244,7 @@ TRANSIENT = Kind(
         "time_step": Variable((), "s", "time step"),
         "omega": Variable((), "rad s-1", "angular frequency of Eq. (5) with rho g L for 2 rho g S"),
     },
-    ("status", "coupling", "current", "free_surface"),
+    ("status", "coupling", "current", "free_surface", "force", "model"),
 )
 
 _MODES = ("time", "mode")

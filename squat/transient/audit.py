@@ -1,16 +1,19 @@
-"""The ship's own work balance, section 3.6 (Fig. 13): E_c + E_p + W = E_0."""
+"""Where the energy is: the paper's balance of the ship, and that of ship and water together."""
 
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
+from squat.dynamics import Motion
+from squat.fluid.energy import ShipEnergy
 from squat.quantities import Vector
 from squat.transient.case import TransientCase
+from squat.transient.history import Columns
 
 
 def energies(
     case: TransientCase, time: Vector, heave: Vector, velocity: Vector, force: Vector
 ) -> dict[str, Vector]:
-    """Kinetic and potential energy of the ship and the work it does on the water, (time,) [J/m].
+    """The ship's own work balance, section 3.6 (Fig. 13): E_c + E_p + W = E_0, (time,) [J/m].
 
     E_c = m w'^2/2, E_p = m g (T + w), W = -int w' F dt by the trapezoidal rule. Any history of F
     satisfies E_c + E_p + W = E_0 up to that rule's error: it does not show that the water kept its
@@ -21,4 +24,27 @@ def energies(
         "kinetic_energy": mass * velocity**2 / 2,
         "potential_energy": mass * case.water.gravity * (draft + heave),
         "fluid_work": -np.asarray(cumulative_trapezoid(velocity * force, time, initial=0)),
+    }
+
+
+def audit(ship: ShipEnergy, columns: Columns) -> dict[str, Vector]:
+    """Energy of ship and water, term by term, and what the ends of the channel feed, (time,).
+
+    d/dt (T_ship + T_f + U_h + m g z_G + U_B) = V d/dt (V a + b.q'), so that the work of the ends
+    since t = 0 is V (V a + b.q') less its first value, without any quadrature; the residual is
+    what the run has gained or lost for no reason (docs/theory/energy.md).
+    """
+    pairs = zip(columns.position, columns.velocity, strict=True)
+    terms = [ship.energies(q, velocity) for q, velocity in pairs]
+    water, static, stream, supply = np.array([term[1:] for term in terms]).T
+    total = np.array([term.total for term in terms])
+    motions = map(Motion._make, zip(*columns[:3], strict=True))
+    work = supply - supply[0]
+    return {
+        "water_energy": water,
+        "static_energy": static,
+        "stream_energy": stream,
+        "end_power": np.array([ship.end_power(motion) for motion in motions]),
+        "end_work": work,
+        "energy_residual": total - total[0] - work,
     }

@@ -8,14 +8,18 @@ from pydantic.dataclasses import dataclass
 
 from squat.channel import AnyHull, Channel
 from squat.coupling import Accelerator, Criterion, PredictorName, SchemeName
-from squat.dynamics import INTEGRATORS, IntegratorName, TimeGrid
+from squat.dynamics import INTEGRATORS, Integrator, StepName, TimeGrid
 from squat.dynamics.hydrostatics import heave_stiffness
+from squat.errors import InputError
 from squat.fluid.accuracy import Accuracy
 from squat.fluid.model import FreeSurface
 from squat.fluid.rates import RATES, RateName
 from squat.mesh import MeshSize
 from squat.quantities import STRICT, Fraction, NonNegative, Position, Speed
 from squat.water import Water
+
+Force = Literal["pressure", "variational"]
+Model = Literal["full", "curves"]
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -30,7 +34,9 @@ class CouplingChoice:
         `standard`; `corrected` with m_add of Eq. (23) at w = 0; `consistent` with
         m_add = beta c(w^n), c of the fluid that the run couples to, refreshed in every step.
     integrator
-        Form of w' and w'', see squat/dynamics/integrators.py.
+        Form of w' and w'', see squat/dynamics/integrators.py; `energy_momentum` steps ship and
+        water as one system (squat/dynamics/energy_momentum.py) and takes of the other slots only
+        the criterion's limits.
     potential_rate
         Form of d phi/dt at a node, see squat/fluid/rates.py.
     start
@@ -39,7 +45,7 @@ class CouplingChoice:
 
     name: str
     scheme: SchemeName
-    integrator: IntegratorName
+    integrator: StepName
     potential_rate: RateName
     predictor: PredictorName
     accelerator: Annotated[Accelerator, Field(discriminator="name")]
@@ -47,10 +53,24 @@ class CouplingChoice:
     start: Literal["rest", "balanced"]
 
     @property
-    def beta(self) -> float:
-        """Share s1 s2/s3 of the water's inertia c that one iteration feeds back."""
-        integrator = INTEGRATORS[self.integrator]
-        return integrator.s1 * RATES[self.potential_rate].s2 / integrator.s3
+    def conserving(self) -> bool:
+        """Whether ship and water are stepped as one system."""
+        return self.integrator == "energy_momentum"
+
+    @property
+    def ties(self) -> Integrator:
+        """The loop's integrator; there is none where `conserving`."""
+        assert self.integrator != "energy_momentum"
+        return INTEGRATORS[self.integrator]
+
+    def beta(self, force: Force) -> float:
+        """Share of the water's inertia c that one iteration feeds back.
+
+        s1 s2/s3 where the pressure holds d phi/dt; all of it where the force holds -c q'' itself.
+        """
+        if force == "variational":
+            return 1.0
+        return self.ties.s1 * RATES[self.potential_rate].s2 / self.ties.s3
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -111,6 +131,12 @@ class TransientCase:
     ----------
     current
         V_inf [m/s].
+    force
+        `pressure`: the integral of Eq. (15); `variational`: that of the energies, which a step of
+        energy_momentum, and curves, need (docs/theory/energy.md).
+    model
+        `full`: the flow is solved at every position; `curves`: a, b, c as series made from a few
+        solves before the run; no field, no pressure on the hull.
     initial_heave
         w(0) [m]; the ship is at rest.
     grounding
@@ -126,6 +152,8 @@ class TransientCase:
     accuracy: Accuracy
     current: Speed
     free_surface: FreeSurface
+    force: Force
+    model: Model
     time: Duration
     coupling: CouplingChoice
     initial_heave: Position
@@ -133,6 +161,17 @@ class TransientCase:
     snapshots: Annotated[int, Field(strict=True, ge=0)]
     restart: Restart
     inputs: Inputs
+
+    def __post_init__(self) -> None:
+        if self.force == "pressure" and self.model != "full":
+            raise InputError(f"model={self.model}: has no pressure; give force=variational")
+        if self.force == "pressure" and self.coupling.conserving:
+            raise InputError(
+                "coupling.integrator=energy_momentum: needs the energies of ship and water; "
+                "give force=variational"
+            )
+        if self.model != "full" and self.snapshots:
+            raise InputError(f"snapshots={self.snapshots}: model={self.model} has no field; give 0")
 
     @property
     def mass(self) -> float:

@@ -6,13 +6,14 @@ import numpy as np
 import xarray as xr
 
 from squat.fluid.curves import Curves
+from squat.quantities import Vector
 from squat.records import build
 from squat.records.kinds import TRANSIENT
-from squat.transient.audit import energies
+from squat.transient.audit import audit, energies
 from squat.transient.case import TransientCase
 from squat.transient.factors import predicted_contraction
 from squat.transient.history import Columns, History
-from squat.transient.parts import Parts, load_roots
+from squat.transient.parts import Parts, curves, load_roots, ship_energy
 
 
 def dataset(history: History) -> xr.Dataset:
@@ -21,8 +22,7 @@ def dataset(history: History) -> xr.Dataset:
     columns = Columns.of(history.rows)
     heave, velocity, force = columns.position[:, 0], columns.velocity[:, 0], columns.force[:, 0]
     time = np.asarray(parts.dt * np.arange(len(heave)), float)
-    curves, roots = _curves(case, parts), load_roots(case)
-    points = parts.fluid.mesh.points[parts.fluid.pressure.nodes]
+    water, roots = _curves(case, parts, float(heave.min())), load_roots(case)
     failed = history.failed
     data: dict[str, Any] = {
         "time": time,
@@ -37,11 +37,10 @@ def dataset(history: History) -> xr.Dataset:
         "failed_residual": failed.residuals if failed else np.empty(0),
         "failed_contraction": failed.contraction if failed else np.nan,
         **energies(case, time, heave, velocity, force),
-        "fluid_inertia": [curves.values(w)[2] for w in heave],
-        "predicted_contraction": predicted_contraction(case, parts, curves, heave, velocity),
-        "hull_pressure": columns.pressure,
-        "hull_x": points[:, 0],
-        "hull_z": points[:, 1],
+        "fluid_inertia": water.values(heave)[2],
+        **audit(ship_energy(case, parts.fluid, water), columns),
+        "predicted_contraction": predicted_contraction(case, parts, water, columns),
+        **(_pressure(parts, columns) if case.model == "full" else {}),
         "stable_root": roots.stable,
         "unstable_root": roots.unstable,
         "added_mass": parts.added_mass,
@@ -54,12 +53,18 @@ def dataset(history: History) -> xr.Dataset:
         "coupling": case.coupling.name,
         "current": case.current,
         "free_surface": case.free_surface,
+        "force": case.force,
+        "model": case.model,
     }
     return build(TRANSIENT, data, attributes)
 
 
-def _curves(case: TransientCase, parts: Parts) -> Curves:
-    parts.forget()  # a restarted run has not asked what an undisturbed one has
-    limits = parts.fluid.mesh.submesh.limits
-    low = (case.grounding / 2 - 1) * limits.clearance
-    return Curves.of(parts.fluid, low, min(limits.draft / 2, limits.wall * 0.9))
+def _curves(case: TransientCase, parts: Parts, lowest: float) -> Curves:
+    """Energy coefficients on the run's own mesh, whatever the run's force."""
+    known = parts.problem.model
+    return known if isinstance(known, Curves) else curves(case, parts.fluid, lowest)
+
+
+def _pressure(parts: Parts, columns: Columns) -> dict[str, Vector]:
+    points = parts.fluid.mesh.points[parts.fluid.pressure.nodes]
+    return {"hull_pressure": columns.pressure, "hull_x": points[:, 0], "hull_z": points[:, 1]}

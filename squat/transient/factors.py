@@ -3,28 +3,49 @@
     G = [m_add - beta c + ((s1 - s2)/s3) dt (V b' + w' c') - (dt^2/s3) k] / (m + m_add)
     k = rho g L - V^2 a''/2 - V w' b'' - w'^2 c''/2,    beta = s1 s2/s3
 
-(docs/theory/coupled.md); a, b, c at the current w.
+where pressure is integrated (docs/theory/coupled.md); a, b, c at the current w. The variational
+force holds -c w'' - c' w'^2/2 of the trial itself (docs/theory/energy.md):
+
+    G = [m_add - c - (s1/s3) dt c' w' - (dt^2/s3) k] / (m + m_add)
+    k = rho g L - V^2 a''/2 + c' w'' + w'^2 c''/2
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
-from squat.dynamics import INTEGRATORS
 from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.curves import Curves
 from squat.fluid.rates import RATES
 from squat.quantities import Vector
 from squat.transient.case import TransientCase
+from squat.transient.history import Columns
 from squat.transient.parts import Parts
 
 
+class Heaving(NamedTuple):
+    """Heave [m], its velocity and its acceleration at one instant."""
+
+    heave: float
+    velocity: float
+    acceleration: float
+
+
 def predicted_contraction(
-    case: TransientCase, parts: Parts, curves: Curves, heave: Vector, velocity: Vector
+    case: TransientCase, parts: Parts, curves: Curves, columns: Columns
 ) -> Vector:
-    """G of the step that ends at each recorded position, shape (time,)."""
-    before = np.concatenate([heave[:1], heave[:-1]])
+    """G of the step that ends at each recorded position, shape (time,).
+
+    NaN for the energy-momentum step, which does not iterate between structure and fluid.
+    """
+    parts_of = (column[:, 0].tolist() for column in columns[:3])
+    motions = [Heaving(*values) for values in zip(*parts_of, strict=True)]
+    if case.coupling.conserving:
+        return np.full(len(motions), np.nan)
+    before = [motions[0], *motions[:-1]]
     values = [
-        factor(case, parts, curves, float(w), float(v), added_mass(case, parts, curves, float(w0)))
-        for w0, w, v in zip(before, heave, velocity, strict=True)
+        factor(case, parts, curves, motion, added_mass(case, parts, curves, last.heave))
+        for last, motion in zip(before, motions, strict=True)
     ]
     return np.array(values)
 
@@ -32,22 +53,35 @@ def predicted_contraction(
 def added_mass(case: TransientCase, parts: Parts, curves: Curves, w: float) -> float:
     """m_add [kg/m] of the step that starts at heave `w` [m]."""
     if case.coupling.scheme == "consistent":
-        return case.coupling.beta * float(curves.values(w)[2])
+        return case.coupling.beta(case.force) * float(curves.values(w)[2])
     return parts.added_mass if case.coupling.scheme == "corrected" else 0.0
 
 
 def factor(
-    case: TransientCase, parts: Parts, curves: Curves, w: float, velocity: float, m_add: float
+    case: TransientCase, parts: Parts, curves: Curves, motion: Heaving, m_add: float
 ) -> float:
-    """G at heave `w` [m] and velocity [m/s] with the correction `m_add` [kg/m]."""
-    integrator, rate = INTEGRATORS[case.coupling.integrator], RATES[case.coupling.potential_rate]
-    s1, s2, s3 = integrator.s1, rate.s2, integrator.s3
-    V, dt = case.current, parts.dt
-    c = curves.values(w)[2]
+    """G at `motion` with the correction `m_add` [kg/m]."""
+    terms = _variational if case.force == "variational" else _integrated
+    s3 = case.coupling.ties.s3
+    velocity_share, stiffness = terms(case, curves, motion)
+    stiffness += heave_stiffness(case.water, case.hull.outline.length)
+    change = m_add - case.coupling.beta(case.force) * float(curves.values(motion.heave)[2])
+    change += (velocity_share * parts.dt - parts.dt**2 * stiffness) / s3
+    return float(change / (case.mass + m_add))
+
+
+def _integrated(case: TransientCase, curves: Curves, motion: Heaving) -> tuple[float, float]:
+    """Weights of dt/s3 and of -dt^2/s3, the latter without buoyancy, for integrated pressure."""
+    s1, s2 = case.coupling.ties.s1, RATES[case.coupling.potential_rate].s2
+    (w, v, _), V = motion, case.current
     _, db, dc = curves.first(w)
     dda, ddb, ddc = curves.second(w)
-    water_plane = heave_stiffness(case.water, case.hull.outline.length)
-    stiffness = water_plane - V**2 * dda / 2 - V * velocity * ddb - velocity**2 * ddc / 2
-    change = m_add - case.coupling.beta * c
-    change += (s1 - s2) / s3 * dt * (V * db + velocity * dc) - dt**2 / s3 * stiffness
-    return float(change / (case.mass + m_add))
+    return (s1 - s2) * (V * db + v * dc), -(V**2) * dda / 2 - V * v * ddb - v**2 * ddc / 2
+
+
+def _variational(case: TransientCase, curves: Curves, motion: Heaving) -> tuple[float, float]:
+    """The same for the variational force."""
+    w, v, acceleration = motion
+    dc, (dda, _, ddc) = curves.first(w)[2], curves.second(w)
+    s1 = case.coupling.ties.s1
+    return -s1 * dc * v, -(case.current**2) * dda / 2 + dc * acceleration + v**2 * ddc / 2

@@ -17,7 +17,10 @@ from squat.transient.snapshots import Snapshot, snapshot
 
 
 class Row(NamedTuple):
-    """One accepted step: motion and force of the water (n,), pressure (hull nodes,), iteration."""
+    """One accepted step: motion and force of the water (n,), pressure (hull nodes,), iteration.
+
+    A model without field leaves no pressure: shape (0,).
+    """
 
     position: Vector
     velocity: Vector
@@ -127,6 +130,8 @@ class History:
 
 def _row(parts: Parts, state: State, iteration: tuple[int, float, Vector]) -> Row:
     motion, memory, fluid = state.motion, state.memory, parts.fluid
-    flow = Flow(motion.position, motion.velocity, memory.now)
-    pressure = fluid.pressure.nodal(flow, memory.rate, fluid.current)
-    return Row(*motion, fluid.force(flow, memory.rate), pressure, *iteration)
+    pressure = np.empty(0)
+    if memory is not None:
+        flow = Flow(motion.position, motion.velocity, memory.now)
+        pressure = fluid.pressure.nodal(flow, memory.rate, fluid.current)
+    return Row(*motion, parts.problem.water_force(motion, memory), pressure, *iteration)

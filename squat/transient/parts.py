@@ -9,14 +9,28 @@ import numpy as np
 import xarray as xr
 
 from squat import records
-from squat.coupling import PREDICTORS, Coupling, Scheme, corrected, standard
-from squat.dynamics import INTEGRATORS, Motion, RigidBody
+from squat.coupling import (
+    PREDICTORS,
+    Conserving,
+    Coupling,
+    Scheme,
+    State,
+    Step,
+    advance,
+    corrected,
+    standard,
+)
+from squat.coupling.conserving import limits as sweep_limits
+from squat.dynamics import Motion, RigidBody
 from squat.errors import InputError
 from squat.fluid.accuracy import accurate
-from squat.fluid.model import forget
+from squat.fluid.curves import Curves
+from squat.fluid.energy import ShipEnergy, still_water
+from squat.fluid.heave import HeaveEnergy
+from squat.fluid.model import EnergyModel, FluidModel, forget
 from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES
-from squat.mesh import Mesh, submesh
+from squat.mesh import Mesh, PositionError, submesh
 from squat.mesh.generate import generate
 from squat.mesh.ugrid import from_dataset
 from squat.quantities import Vector
@@ -24,7 +38,7 @@ from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH
 from squat.records.schema import Kind
 from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
-from squat.transient.problem import ShipProblem
+from squat.transient.problem import EnergyProblem, Field, ShipProblem
 
 MODES = ("heave",)
 
@@ -33,39 +47,78 @@ MODES = ("heave",)
 class Parts:
     """The pieces of one run; `added_mass` is m_add [kg/m] of (23) at w = 0."""
 
-    problem: ShipProblem
+    problem: ShipProblem | EnergyProblem
     fluid: PotentialFluid
-    coupling: Coupling
+    coupling: Coupling | Conserving
     added_mass: float
     omega: float
     dt: float
 
     def forget(self) -> None:
         """Let the flow solvers answer as new ones would."""
-        forget(self.problem.fluid)
+        forget(self.problem.model)
         forget(self.fluid)
+
+    def advance(self, state: State) -> Step:
+        """One time step; diverged where it leaves the positions that the model can take."""
+        if isinstance(self.coupling, Coupling):
+            return advance(self.problem, self.coupling, state, self.dt)
+        try:
+            return self.coupling.advance(state, self.dt)
+        except PositionError:
+            unknown = np.array([np.nan])
+            return Step("diverged", state, unknown, np.nan, unknown)
 
 
 def prepare(case: TransientCase) -> Parts:
     """Mesh, added mass and loop of `case`, from its input files where given."""
-    mass = case.mass
-    body = RigidBody(MODES, mass, 0.0, case.water.gravity)
     fluid = PotentialFluid(load_mesh(case), case.water, case.free_surface, case.current)
-    problem = ShipProblem(body, fluid, RATES[case.coupling.potential_rate])
+    problem = _problem(case, fluid)
     added = load_added_mass(case)
     omega = case.omega(added)
-    return Parts(
-        problem, fluid, _coupling(case, body, fluid, added), added, omega, case.time.step(omega)
-    )
+    coupling = _coupling(case, problem, added)
+    return Parts(problem, fluid, coupling, added, omega, case.time.step(omega))
+
+
+def ship_energy(case: TransientCase, fluid: PotentialFluid, model: EnergyModel) -> ShipEnergy:
+    """Energy of ship and water, the water's by `model`."""
+    body = RigidBody(MODES, case.mass, 0.0, case.water.gravity)
+    return ShipEnergy(body, still_water(fluid.mesh.submesh, case.water), model, case.current)
+
+
+def curves(case: TransientCase, fluid: PotentialFluid, lowest: float = np.inf) -> Curves:
+    """Energy coefficients on the run's mesh, down to half the grounding or to `lowest` [m]."""
+    forget(fluid)  # a restarted run has not asked what an undisturbed one has
+    limits = fluid.mesh.submesh.limits
+    low = min((case.grounding / 2 - 1) * limits.clearance, lowest)
+    return Curves.of(fluid, low, min(limits.draft / 2, limits.wall * 0.9))
+
+
+def _problem(case: TransientCase, fluid: PotentialFluid) -> ShipProblem | EnergyProblem:
+    rate = RATES[case.coupling.potential_rate]
+    if case.force == "pressure":
+        body = RigidBody(MODES, case.mass, 0.0, case.water.gravity)
+        return ShipProblem(body, fluid, rate)
+    if case.model == "curves":
+        return EnergyProblem(ship_energy(case, fluid, curves(case, fluid)), None)
+    return EnergyProblem(ship_energy(case, fluid, fluid), Field(fluid, rate))
 
 
 def _coupling(
-    case: TransientCase, body: RigidBody, fluid: PotentialFluid, added_mass: float
-) -> Coupling:
+    case: TransientCase,
+    problem: ShipProblem | EnergyProblem,
+    added_mass: float,
+) -> Coupling | Conserving:
     choice = case.coupling
+    if choice.conserving:
+        assert isinstance(problem, EnergyProblem)  # TransientCase refuses others
+        energy = problem.energy
+        one = HeaveEnergy(energy) if case.model == "curves" else None
+        limits = sweep_limits(choice.criterion)
+        return Conserving(energy, energy.lengths, limits, problem.remember, one)
     return Coupling(
-        _scheme(case, body.matrix, fluid, added_mass),
-        INTEGRATORS[choice.integrator],
+        _scheme(case, problem.mass, problem.model, added_mass),
+        choice.ties,
         choice.accelerator,
         PREDICTORS[choice.predictor],
         choice.criterion,
@@ -73,12 +126,12 @@ def _coupling(
 
 
 def _scheme(
-    case: TransientCase, mass: Vector, fluid: PotentialFluid, added_mass: float
+    case: TransientCase, mass: Vector, model: FluidModel | EnergyModel, added_mass: float
 ) -> Callable[[Motion], Scheme]:
     """The structure solve that follows a motion, see `CouplingChoice.scheme`."""
     if case.coupling.scheme == "consistent":
-        beta = case.coupling.beta
-        return lambda motion: corrected(mass, beta * fluid.coefficients(motion.position).c)
+        beta = case.coupling.beta(case.force)
+        return lambda motion: corrected(mass, beta * model.coefficients(motion.position).c)
     fixed = corrected(mass, np.array([[added_mass]]))
     if case.coupling.scheme == "standard":
         fixed = standard(mass)

@@ -1,4 +1,4 @@
-"""The ship in the water as a problem for the coupling loop."""
+"""The ship in the water as a problem for the coupling loop, by its pressure or its energies."""
 
 from dataclasses import dataclass
 
@@ -6,7 +6,10 @@ import numpy as np
 
 from squat.coupling import Load
 from squat.dynamics import Motion, RigidBody
-from squat.fluid.model import Flow, FluidModel
+from squat.dynamics.lagrangian import acceleration, force
+from squat.fluid.energy import ShipEnergy
+from squat.fluid.model import EnergyModel, Flow, FluidModel
+from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import Levels, Rate
 from squat.mesh import PositionError
 from squat.quantities import Vector
@@ -19,6 +22,11 @@ class ShipProblem:
     body: RigidBody
     fluid: FluidModel
     rate: Rate
+
+    @property
+    def model(self) -> FluidModel:
+        """What knows the water's inertia."""
+        return self.fluid
 
     @property
     def mass(self) -> Vector:
@@ -35,13 +43,18 @@ class ShipProblem:
         force = self.fluid.force(flow, rate) + self.body.weight
         return Load(force, Levels(flow.potential, memory.now, rate))
 
+    def water_force(self, motion: Motion, memory: Levels) -> Vector:
+        """Force of the water (n,) in an accepted step."""
+        flow = Flow(motion.position, motion.velocity, memory.now)
+        return self.fluid.force(flow, memory.rate)
+
     def steady(self, position: Vector) -> tuple[Flow, Vector]:
         """Flow past the ship at rest, and the net force on it, shape (n,)."""
         flow = self.fluid.flow(position, np.zeros_like(position))
         still = np.zeros_like(flow.potential)
         return flow, self.fluid.force(flow, still) + self.body.weight
 
-    def at_rest(self, position: Vector) -> tuple[Motion, Levels]:
+    def at_rest(self, position: Vector, dt: float) -> tuple[Motion, Levels]:
         """Start "at rest": no velocity, no acceleration, steady flow."""
         flow, _ = self.steady(position)
         zero = np.zeros_like(position)
@@ -58,3 +71,83 @@ class ShipProblem:
         return Motion(position, np.zeros_like(position), acceleration), Levels(
             flow.potential, before, rate
         )
+
+
+@dataclass(frozen=True)
+class Field:
+    """The potential of a run whose force does not need it: for pressure and snapshots."""
+
+    fluid: PotentialFluid
+    rate: Rate
+
+    def start(self, motion: Motion, dt: float) -> Levels:
+        """Levels at t = 0: the rate follows q'', the level before it the rate."""
+        potential = self._potential(motion)
+        rate = motion.acceleration @ self.fluid.unit_flows(motion.position).unit
+        return Levels(potential, potential - dt * rate, rate)
+
+    def follow(self, motion: Motion, memory: Levels, dt: float) -> Levels:
+        """Levels after one more step."""
+        potential = self._potential(motion)
+        return Levels(potential, memory.now, self.rate(potential, memory, dt))
+
+    def _potential(self, motion: Motion) -> Vector:
+        flows = self.fluid.unit_flows(motion.position)
+        return np.asarray(self.fluid.current * flows.current + motion.velocity @ flows.unit)
+
+
+@dataclass(frozen=True)
+class EnergyProblem:
+    """M_s q'' = weight + variational force: a `coupling.Problem`.
+
+    Parameters
+    ----------
+    energy
+        Of ship and water.
+    field
+        What the potential is kept by; None where the model has none.
+    """
+
+    energy: ShipEnergy
+    field: Field | None
+
+    @property
+    def model(self) -> EnergyModel:
+        """What knows the water's inertia."""
+        return self.energy.model
+
+    @property
+    def mass(self) -> Vector:
+        """Structural mass matrix, shape (n, n)."""
+        return self.energy.body.matrix
+
+    def load(self, trial: Motion, memory: Levels | None, dt: float) -> Load:
+        """Force for a trial motion; not a number where the model cannot follow it."""
+        try:
+            found = force(self.energy, trial, self.mass)
+        except PositionError:
+            return Load(np.full(len(trial.position), np.nan), memory)
+        return Load(found, self.remember(trial, memory, dt))
+
+    def remember(self, motion: Motion, memory: Levels | None, dt: float) -> Levels | None:
+        """What is kept of an accepted step."""
+        if self.field is None or memory is None:
+            return None
+        return self.field.follow(motion, memory, dt)
+
+    def water_force(self, motion: Motion, memory: Levels | None) -> Vector:
+        """Force of the water (n,) in an accepted step."""
+        return self.energy.water_force(motion)
+
+    def at_rest(self, position: Vector, dt: float) -> tuple[Motion, Levels | None]:
+        """Start "at rest": no velocity, no acceleration."""
+        zero = np.zeros_like(position)
+        return self._start(Motion(position, zero, zero), dt)
+
+    def balanced(self, position: Vector, dt: float) -> tuple[Motion, Levels | None]:
+        """Start released, in balance with the inertia of ship and water."""
+        zero = np.zeros_like(position)
+        return self._start(Motion(position, zero, acceleration(self.energy, position, zero)), dt)
+
+    def _start(self, motion: Motion, dt: float) -> tuple[Motion, Levels | None]:
+        return motion, None if self.field is None else self.field.start(motion, dt)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from squat.coupling import State, Step, march
+from squat.coupling import State, Step, repeated
 from squat.progress import progress
 from squat.records import Segments
 from squat.records.trees import copy
@@ -59,10 +59,8 @@ def run(case: TransientCase, segments: Segments | None = None) -> Result:
 def start(case: TransientCase, parts: Parts) -> State:
     """State at t = 0: at rest at w(0) in steady flow."""
     position = np.array([case.initial_heave])
-    if case.coupling.start == "rest":
-        motion, memory = parts.problem.at_rest(position)
-    else:
-        motion, memory = parts.problem.balanced(position, parts.dt)
+    begin = parts.problem.at_rest if case.coupling.start == "rest" else parts.problem.balanced
+    motion, memory = begin(position, parts.dt)
     return State((motion,), memory)
 
 
@@ -83,7 +81,7 @@ def _stretch(history: History, count: int) -> Iterator[Step]:
     """At most `count` steps from a copy of the state, with solvers that remember nothing."""
     parts = history.parts
     parts.forget()
-    for step in march(parts.problem, parts.coupling, copy(history.state), parts.dt, count):
+    for step in repeated(parts.advance, copy(history.state), count):
         yield step
         if history.status is not None:
             return
