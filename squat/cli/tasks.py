@@ -13,6 +13,7 @@ from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
 from squat.fluid import run as added_mass
+from squat.stability import limits, limits_map, portrait
 from squat.stability import run as equilibria
 
 _log = logging.getLogger(__name__)
@@ -29,6 +30,9 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "piston": piston.run,
     "iterations": piston.study,
     "equilibria": equilibria.run,
+    "stability": portrait.run,
+    "limits": limits.run,
+    "limits_map": limits_map.run,
     "mesh": _mesh,
     "added_mass": added_mass.run,
     "inertia": inertia.run,
@@ -92,5 +96,5 @@ def compute(valid: Valid) -> xr.Dataset:
 
 
 def _headline(dataset: xr.Dataset) -> str:
-    status = dataset.attrs.get("status")
-    return f", status {status}" if status else ""
+    status, summary = (dataset.attrs.get(name) for name in ("status", "summary"))
+    return (f", status {status}" if status else "") + (f"\n{summary}" if summary else "")

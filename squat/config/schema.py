@@ -23,6 +23,7 @@ from squat.quantities import STRICT
 from squat.records.identity import HOUSEKEEPING
 from squat.reduced.case import ReducedCase
 from squat.report import ReportCase
+from squat.stability.case import LimitsCase, LimitsMapCase, StabilityCase
 from squat.stability.run import EquilibriaCase
 from squat.transient import TransientCase
 
@@ -30,6 +31,9 @@ CASES: dict[str, type] = {
     "piston": PistonCase,
     "iterations": StudyCase,
     "equilibria": EquilibriaCase,
+    "stability": StabilityCase,
+    "limits": LimitsCase,
+    "limits_map": LimitsMapCase,
     "mesh": MeshCase,
     "added_mass": AddedMassCase,
     "inertia": InertiaCase,

@@ -17,6 +17,7 @@ from squat.figures.equilibria import fig10
 from squat.figures.files import save
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
+from squat.figures.stability import basins, limits, limits_map, phase_portrait, potential
 from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
 from squat.quantities import STRICT
@@ -30,6 +31,7 @@ from squat.records.kinds import (
     TRANSIENT,
 )
 from squat.records.schema import Kind
+from squat.records.stability_kinds import LIMITS_MAP, STABILITY
 
 FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "fig10": (EQUILIBRIA, fig10),
@@ -45,6 +47,11 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "fig11": (TRANSIENT, fig11),
     "fig12": (TRANSIENT, fig12),
     "fig13": (TRANSIENT, fig13),
+    "potential": (STABILITY, potential),
+    "phase_portrait": (STABILITY, phase_portrait),
+    "limits": (STABILITY, limits),
+    "basins": (STABILITY, basins),
+    "limits_map": (LIMITS_MAP, limits_map),
 }
 
 

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from squat.records.schema import Kind, Variable
+from squat.records.stability_kinds import LIMITS, LIMITS_MAP, STABILITY
 
 _TIME = ("time",)
 
@@ -351,5 +352,8 @@ _ALL = (
     TRANSIENT,
     COUPLED,
     REDUCED,
+    STABILITY,
+    LIMITS,
+    LIMITS_MAP,
 )
 KINDS = {kind.name: kind for kind in _ALL}

@@ -19,6 +19,8 @@ from squat.stability.orbits import orbit
 class Separatrix(NamedTuple):
     """Upper half of the loop, from the barrier to where it turns; the lower half mirrors it.
 
+    A loop that leaves the interval at the top ends there, and has no area (NaN).
+
     Parameters
     ----------
     heave, velocity
@@ -43,7 +45,7 @@ def well(mode: OneMode) -> tuple[float, float]:
 
 
 def separatrix(mode: OneMode, points: int) -> Separatrix:
-    """Loop of the mode's well; NaN where there is none or it leaves the interval at the top.
+    """Loop of the mode's well; NaN where there is none.
 
     Parameters
     ----------
@@ -57,16 +59,16 @@ def separatrix(mode: OneMode, points: int) -> Separatrix:
     energy = float(mode.potential(top))
     lift = math.sqrt(2 * (energy - float(mode.potential(bottom))) / float(mode.mass(bottom)))
     turn = orbit(mode, bottom, lift).high
-    if math.isnan(turn):
-        return Separatrix(nothing, nothing, math.nan)
+    leaves = math.isnan(turn)
+    turn = mode.interval.high if leaves else turn
     half, angle = (turn - top) / 2, np.linspace(0, np.pi, points)
     heave = top + half * (1 - np.cos(angle))
     lack, mass = np.maximum(energy - mode.potential(heave), 0.0), mode.mass(heave)
-    lack[[0, -1]] = 0.0
+    lack[[0] if leaves else [0, -1]] = 0.0
     momentum = np.sqrt(2 * mass * lack)
     # In the angle the integrand is smooth and periodic: the trapezoidal rule converges fast.
     area = 2 * float(np.trapezoid(momentum * half * np.sin(angle), angle))
-    return Separatrix(heave, momentum / mass, area)
+    return Separatrix(heave, momentum / mass, math.nan if leaves else area)
 
 
 def bounded(mode: OneMode, heave: float, velocity: float) -> bool:

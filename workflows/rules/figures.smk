@@ -15,6 +15,11 @@ FIGURES = {
         f"{RESULTS}/transient/printed_{current}.nc"
         for current in RUNS["currents"][1::2]
     ],
+    "potential": rules.stability.output[0],
+    "phase_portrait": rules.stability.output[0],
+    "limits": rules.stability.output[0],
+    "basins": rules.stability.output[0],
+    "limits_map": rules.limits_map.output[0],
     "iterations": rules.iterations.output[0],
     "mesh_quality": rules.mesh.output[0],
     "sensitivity": f"{ADDED_MASS}/sensitivity.nc",

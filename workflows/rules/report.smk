@@ -5,6 +5,7 @@ rule contents:
     input:
         rules.iterations.output,
         rules.equilibria.output,
+        rules.limits.output,
         rules.verdicts.output,
         expand(rules.table.output, table=TABLES),
         expand(

@@ -1,0 +1,105 @@
+"""Kinds of datasets about what the energies of ship and water imply."""
+
+from squat.records.schema import Kind, Variable
+
+_SPEED, _CASE = ("speed",), ("case_speed",)
+_LOOP = ("case_speed", "loop_point")
+
+STABILITY = Kind(
+    "stability",
+    1,
+    "Equilibria, limits, periods and phase portrait of a ship in heave, from its energies",
+    {
+        "speed": Variable(_SPEED, "m s-1", "current V_inf relative to the ship"),
+        "stable": Variable(_SPEED, "m", "stable equilibrium w; NaN: none"),
+        "unstable": Variable(_SPEED, "m", "unstable equilibrium w; NaN: none above grounding"),
+        "stable_1d": Variable(_SPEED, "m", "upper root of Eq. (27)"),
+        "unstable_1d": Variable(_SPEED, "m", "lower root of Eq. (27)"),
+        "linear_period": Variable(_SPEED, "s", "period of small motion about `stable`"),
+        "period": Variable(_SPEED, "s", "exact period of the motion from the start; NaN: lost"),
+        "lowest": Variable(_SPEED, "m", "deepest w of the motion from the start; NaN: lost"),
+        "highest": Variable(_SPEED, "m", "highest w of the motion from the start"),
+        "case_speed": Variable(_CASE, "m s-1", "currents of the portraits"),
+        "case_stable": Variable(_CASE, "m", "stable equilibrium at those currents"),
+        "case_unstable": Variable(_CASE, "m", "barrier there: unstable equilibrium, or grounding"),
+        "case_action": Variable(
+            _CASE, "J s m-1", "area inside the separatrix in the plane of w and M w'"
+        ),
+        "heave": Variable(("heave",), "m", "heave w of the curves over it"),
+        "inertia": Variable(("heave",), "kg m-1", "M(w) = m + c(w), ship and water"),
+        "potential": Variable(
+            ("case_speed", "heave"), "J m-1", "U(w), zero at w = 0 in still water"
+        ),
+        "separatrix_heave": Variable(
+            _LOOP, "m", "upper half of the separatrix, from the barrier to its turn or the top"
+        ),
+        "separatrix_velocity": Variable(_LOOP, "m s-1", "w' there; the lower half mirrors it"),
+        "start_heave": Variable((), "m", "w(0) of the start"),
+        "start_velocity": Variable((), "m s-1", "w'(0) of the start"),
+        "initial_heave": Variable(("initial_heave",), "m", "w(0)"),
+        "initial_velocity": Variable(
+            ("initial_velocity",), "m s-1", "w'(0); its sign is of no effect"
+        ),
+        "limit_map": Variable(
+            ("initial_heave", "initial_velocity"),
+            "m s-1",
+            "dynamic squat speed of that start; its contours bound the basins",
+        ),
+        "squat_speed_1d": Variable((), "m s-1", "1D squat speed, Eq. (27)"),
+        "squat_sinkage_1d": Variable((), "m", "w where its roots merge"),
+        "squat_speed_2d": Variable((), "m s-1", "2D squat speed: the equilibria merge"),
+        "squat_sinkage_2d": Variable((), "m", "w where they merge"),
+        "dynamic_squat_speed": Variable((), "m s-1", "least current that loses the start"),
+        "ship_mass": Variable((), "kg m-1", "mass of the displaced water"),
+    },
+    ("free_surface", "squat_speed_bracket"),
+)
+
+_LIMIT, _FORMULA = ("limit",), ("formula",)
+LIMITS = Kind(
+    "limits",
+    1,
+    "Safe speed of a ship: equilibrium, clearance and limits, with errors and usual formulas",
+    {
+        "current": Variable((), "m s-1", "speed of the ship through the water that is asked about"),
+        "equilibrium": Variable((), "m", "stable equilibrium w at that speed; NaN: none"),
+        "equilibrium_error": Variable((), "m", "its numerical error"),
+        "under_keel_clearance": Variable((), "m", "clearance at the equilibrium"),
+        "least_clearance": Variable((), "m", "least clearance of the motion from the start"),
+        "least_clearance_error": Variable((), "m", "its numerical error"),
+        "period": Variable((), "s", "exact period of that motion"),
+        "period_error": Variable((), "s", "its numerical error"),
+        "linear_period": Variable((), "s", "period of small motion about the equilibrium"),
+        "depth_froude_number": Variable((), "1", "V/sqrt(g H)"),
+        "limit": Variable(_LIMIT, "1", "1D: Eq. (27); 2D: the fold; dynamic: from the start"),
+        "limit_speed": Variable(_LIMIT, "m s-1", "speed above which the ship is lost"),
+        "limit_error": Variable(_LIMIT, "m s-1", "its numerical error"),
+        "limit_froude_number": Variable(_LIMIT, "1", "limit_speed/sqrt(g H)"),
+        "formula": Variable(_FORMULA, "1", "usual formula for squat"),
+        "formula_squat": Variable(_FORMULA, "m", "its squat, positive down; NaN: not applicable"),
+        "formula_limit": Variable(_FORMULA, "m s-1", "its limit speed; NaN: it has none"),
+        "formula_note": Variable(_FORMULA, "1", "why it does not apply, or how it was applied"),
+        "formula_source": Variable(_FORMULA, "1", "where it is from"),
+        "warning": Variable(("warning",), "1", "what to mind before using these numbers"),
+    },
+    ("summary", "free_surface"),
+)
+
+_CELL = ("length_over_draft", "depth_over_draft")
+LIMITS_MAP = Kind(
+    "limits_map",
+    1,
+    "Limits over H/T and L/T",
+    {
+        "length_over_draft": Variable(("length_over_draft",), "1", "L/T"),
+        "depth_over_draft": Variable(("depth_over_draft",), "1", "H/T"),
+        "limit_1d": Variable(_CELL, "m s-1", "1D squat speed, Eq. (27)"),
+        "limit_2d": Variable(_CELL, "m s-1", "2D squat speed"),
+        "limit_2d_error": Variable(_CELL, "m s-1", "its numerical error"),
+        "limit_dynamic": Variable(_CELL, "m s-1", "dynamic squat speed of the start"),
+        "limit_dynamic_error": Variable(_CELL, "m s-1", "its numerical error"),
+        "sinkage_1d": Variable(_CELL, "m", "w at the 1D squat speed"),
+        "sinkage_2d": Variable(_CELL, "m", "w at the 2D squat speed"),
+    },
+    ("draft", "start_over_draft"),
+)

@@ -1,0 +1,202 @@
+"""The tasks `stability`, `limits` and `limits_map`: records, words, warnings, figures."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from squat.channel import Channel, Rectangle
+from squat.errors import InputError
+from squat.figures import stability as figures
+from squat.stability import limits, limits_map, portrait
+from squat.stability.equilibria import OneDimensionalModel
+from squat.stability.formulas import FORMULAS, Particulars
+from squat.stability.summary import measured
+from squat.water import Water
+
+QUICK = "accuracy=study", "accuracy.near=0.32", "accuracy.far=0.4"
+SMALL = "mesh=coarse", "cases/stability@speeds=small", "portrait=small"
+
+
+@pytest.fixture(scope="module")
+def small(case):
+    return portrait.run(case("stability", *SMALL)).assign_attrs(
+        config=json.dumps({"hull": {"draft": 10.0}, "channel": {"depth": 20.0}})
+    )
+
+
+def particulars(**changes):
+    given = {"length": 230.0, "draft": 12.0, "block": 0.7, "depth": 15.0, "speed": 5.0}
+    given |= {"gravity": 9.81, "beam": 32.0, "width": None}
+    return Particulars(**(given | changes))
+
+
+def answer(name, **changes):
+    return next(one for one in FORMULAS if one.name == name).answer(particulars(**changes))
+
+
+def test_portrait_is_consistent_with_itself(small):
+    """Limits where the curves end, map and start agree, separatrices on the potential."""
+    limit, fold = float(small["dynamic_squat_speed"]), float(small["squat_speed_2d"])
+    speed = small["speed"].values
+    assert np.array_equal(np.isfinite(small["stable"]), speed < fold)
+    assert np.array_equal(np.isfinite(small["lowest"]), speed < limit)
+    below = speed < limit
+    assert (small["lowest"] <= small["highest"])[below].all()
+    assert (small["lowest"] > small["unstable"])[below & np.isfinite(small["unstable"])].all()
+    assert (small["period"] > small["linear_period"])[(speed > 1) & below].all()
+    assert limit < fold < float(small["squat_speed_1d"])
+    assert float(small.attrs["squat_speed_bracket"]) <= 1e-8
+
+
+def test_map_of_limits_is_bounded_by_the_separatrices(small):
+    heave, velocity = small["initial_heave"].values, small["initial_velocity"].values
+    for n, speed in enumerate(small["case_speed"].values):
+        loop = small["separatrix_heave"].values[n]
+        edge = np.interp(heave, loop, small["separatrix_velocity"].values[n], left=-1, right=-1)
+        inside = velocity[None, :] < edge[:, None]
+        # Straight lines between the loop's points: starts within 1 % of the edge are left out.
+        clear = np.abs(velocity[None, :] - edge[:, None]) > 0.01
+        clear &= (heave[:, None] > loop[0]) | (velocity[None, :] > 0)
+        assert np.array_equal((small["limit_map"].values > speed)[clear], inside[clear])
+
+
+def test_limits_hold_what_a_finer_set_of_meshes_says(case):
+    """The stated errors are honest: the next finer meshes lie within them."""
+    rough = limits.run(case("limits", *QUICK, "current=2.25"))
+    fine = limits.run(case("limits", "current=2.25"))
+    for name in ("equilibrium", "least_clearance", "period"):
+        assert abs(float(rough[name] - fine[name])) < float(rough[f"{name}_error"])
+    apart = np.abs(rough["limit_speed"] - fine["limit_speed"])
+    assert (apart[1:] < rough["limit_error"][1:]).all()
+    assert (fine["limit_error"] < 2e-6).all()
+
+
+def test_a_speed_above_the_limits_is_answered_too(case):
+    data = limits.run(case("limits", *QUICK, "current=2.5"))
+    assert math.isnan(data["least_clearance"])
+    assert math.isfinite(data["equilibrium"])
+    first = str(data["warning"].values[0])
+    assert first == (
+        "at 2.5 m/s the ship set free at w(0) = -0.1 m with w'(0) = 0 m/s is lost though there "
+        "is an equilibrium"
+    )
+    assert first in data.attrs["summary"]
+    beyond = limits.run(case("limits", *QUICK, "current=2.7"))
+    assert "there is no equilibrium" in str(beyond["warning"].values[0])
+    assert "equilibrium           w = none" in beyond.attrs["summary"]
+
+
+def test_impossible_questions_are_refused_by_name(case):
+    with pytest.raises(InputError, match=r"start\.heave=-9\.9: must be between grounding at -9\.8"):
+        limits.run(case("limits", *QUICK, "start.heave=-9.9"))
+    with pytest.raises(InputError, match=r"width=30: means nothing without beam="):
+        case("limits", "width=30.0")
+    with pytest.raises(InputError, match=r"width=30: must be at least beam=40"):
+        case("limits", "width=30.0", "beam=40.0")
+
+
+def test_the_1d_squat_speed_is_schijfs_limit_speed():
+    """1 - S + Fr^2/2 - 3/2 Fr^(2/3) = 0 with S = T/H is the discriminant of Eq. (27)."""
+    for draft in (2.0, 10.0, 18.0):
+        model = OneDimensionalModel(
+            Rectangle(length=40.0, draft=draft),
+            Channel(depth=20.0, upstream=1.0, downstream=1.0),
+            Water(density=1000.0, gravity=9.81),
+        )
+        froude = model.squat_speed().speed / math.sqrt(9.81 * 20)
+        assert 1 - draft / 20 + froude**2 / 2 - 1.5 * froude ** (2 / 3) == pytest.approx(
+            0, abs=1e-12
+        )
+
+
+def test_schijf_keeps_water_and_head():
+    """Continuity and Bernoulli with the level lowered by the squat, for a narrow ship too."""
+    ship = particulars(width=150.0, speed=3.0)
+    z = answer("Schijf", width=150.0, speed=3.0).squat
+    section = 150.0 * 15.0
+    faster = 3.0 * section / (section - 32.0 * 12.0 - 150.0 * z)
+    assert (faster**2 - 3.0**2) / (2 * 9.81) == pytest.approx(z, rel=1e-10)
+    assert ship.blockage == pytest.approx(32 * 12 / section)
+
+
+def test_formulas_follow_their_scaling():
+    assert answer("Barrass", width=120.0, speed=6.0).squat / answer(
+        "Barrass", width=120.0, speed=3.0
+    ).squat == pytest.approx(2**2.08)
+    slow, fast = (answer("Tuck/ICORELS", speed=v).squat for v in (0.01, 0.02))
+    assert fast / slow == pytest.approx(4, rel=1e-4)
+    open_water, canal = (answer("Huuska/Guliev", width=w).squat for w in (None, 200.0))
+    assert canal / open_water == pytest.approx(7.45 * 32 * 12 / (200 * 15) + 0.76)
+    full = {"block": 0.85, "length": 216.0}
+    assert answer("Eryuzlu", speed=4.0, **full).squat / answer(
+        "Eryuzlu", speed=2.0, **full
+    ).squat == pytest.approx(2**2.289)
+
+
+@pytest.mark.parametrize(
+    ("name", "changes", "reason"),
+    [
+        ("Schijf", {}, "needs width= of the channel"),
+        ("Barrass", {"width": 1000.0}, "S = 0.0256 is outside 0.1 to 0.266"),
+        ("Tuck/ICORELS", {"beam": None}, "needs beam= of the ship"),
+        ("Tuck/ICORELS", {"speed": 10.0}, "Fr_h = 0.824 is outside 0 to 0.7"),
+        ("Huuska/Guliev", {"block": 0.9}, "C_B = 0.9 is outside 0.6 to 0.8"),
+        ("Eryuzlu", {"depth": 40.0}, "H/T = 3.33 is outside 1.1 to 2.5"),
+    ],
+)
+def test_formulas_out_of_range_say_why(name, changes, reason):
+    found = answer(name, **changes)
+    assert math.isnan(found.squat)
+    assert reason in found.note
+
+
+def test_numbers_are_printed_with_the_digits_that_they_deserve():
+    assert measured(2.39978809, 1.01e-6, "m/s") == "2.3997881 +- 1.0e-06 m/s"
+    assert measured(123.456, 7.0, "m") == "123.5 +- 7.0e+00 m"
+    assert measured(math.nan, 1.0, "m") == "none"
+
+
+def test_limits_over_geometry_tend_to_1d_for_long_ships(case):
+    data = limits_map.run(
+        case(
+            "limits_map",
+            "depth_over_draft=[1.5,2]",
+            "length_over_draft=[2,4]",
+            "accuracy.near=0.32",
+            "accuracy.far=0.4",
+        )
+    )
+    two, one = data["limit_2d"], data["limit_1d"]
+    assert (data["limit_dynamic"] < two).all()
+    assert (two < one).all()
+    share = (two / one).values
+    assert (np.diff(share, axis=0) > 0).all()  # with L/T
+    assert (np.diff(share, axis=1) < 0).all()  # with H/T
+    at = data.sel(length_over_draft=4, depth_over_draft=2)
+    here = limits.run(case("limits", *QUICK))
+    apart = abs(float(at["limit_2d"]) - float(here["limit_speed"][1]))
+    assert apart < float(at["limit_2d_error"])
+    figures.limits_map(data)
+
+
+@pytest.mark.parametrize("name", ["potential", "phase_portrait", "limits", "basins"])
+def test_figures_draw_with_nothing_cut_off(small, name):
+    figure = getattr(figures, name)(small)
+    FigureCanvasAgg(figure).draw()
+    for axes in figure.axes:
+        for text in (axes.title, axes.xaxis.label, axes.yaxis.label):
+            box = text.get_window_extent()
+            assert not text.get_text() or figure.bbox.contains(box.x0, box.y0)
+            assert not text.get_text() or figure.bbox.contains(box.x1, box.y1)
+
+
+def test_figures_stand_speeds_beyond_every_limit(case):
+    data = portrait.run(case("stability", *SMALL, "speeds.cases=[2.9,1]"))
+    data = data.assign_attrs(
+        config=json.dumps({"hull": {"draft": 10.0}, "channel": {"depth": 20.0}})
+    )
+    for name in ("potential", "phase_portrait", "limits", "basins"):
+        FigureCanvasAgg(getattr(figures, name)(data)).draw()

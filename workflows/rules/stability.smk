@@ -1,0 +1,45 @@
+# What the energies alone imply: portrait and limits of the ship of section 3.6, limits of others.
+
+
+rule stability:
+    output:
+        f"{RESULTS}/stability/stability.nc",
+    log:
+        f"{RESULTS}/logs/stability.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/stability.tsv"
+    params:
+        cases=f"cases/stability@speeds={CASES} portrait={CASES}",
+        config=configured(
+            "stability", f"cases/stability@speeds={CASES}", f"portrait={CASES}"
+        ),
+    shell:
+        "squat task=stability {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+
+
+rule limits:
+    output:
+        f"{RESULTS}/stability/limits.nc",
+    log:
+        f"{RESULTS}/logs/limits_table.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/limits_table.tsv"
+    params:
+        config=configured("limits"),
+    shell:
+        "squat task=limits 'out=\"{output}\"' > {log:q} 2>&1"
+
+
+rule limits_map:
+    output:
+        f"{RESULTS}/stability/limits_map.nc",
+    log:
+        f"{RESULTS}/logs/limits_study.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/limits_study.tsv"
+    threads: workflow.cores
+    params:
+        cases=f"cases/limits@_global_={CASES}",
+        config=configured("limits_map", f"cases/limits@_global_={CASES}"),
+    shell:
+        "squat task=limits_map {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
