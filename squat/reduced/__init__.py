@@ -7,12 +7,15 @@ from squat.reduced.greedy import Training, reduce
 from squat.reduced.model import ReducedModel
 from squat.reduced.record import load
 from squat.reduced.run import run
+from squat.reduced.simulator import Simulator, State
 
 __all__ = [
     "Bounds",
     "ReducedCase",
     "ReducedFluid",
     "ReducedModel",
+    "Simulator",
+    "State",
     "Training",
     "bounds",
     "load",

@@ -4,9 +4,10 @@ Galerkin on the affine form is consistent: the slopes are the exact derivatives 
 energies, so a ship coupled to them keeps its energy as the full one does.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -70,7 +71,7 @@ class ReducedModel:
     chosen: Index
     systems: tuple[Galerkin, ...]
     floor: Floor
-    _last: dict[bytes, Solved] = field(default_factory=dict, init=False, repr=False)
+    _last: dict[str, tuple[bytes, Any]] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def submesh(self) -> Submesh:
@@ -107,13 +108,12 @@ class ReducedModel:
         return [Affine(theta[k], with_current(loads[:, k], 0.0)) for k in range(len(self.modes))]
 
     def solve(self, position: Vector) -> Solved:
-        """Unit flows at `position`; the last answer is kept."""
-        key = np.asarray(position, float).tobytes()
-        if key not in self._last:
-            at = self.affine(position)
-            self._last.clear()
-            self._last[key] = Solved(at, tuple(system.solve(at) for system in self.systems))
-        return self._last[key]
+        """Unit flows at `position`."""
+        return cast(Solved, self._remembered("solved", position, self._solve))
+
+    def _solve(self, position: Vector) -> Solved:
+        at = self.affine(position)
+        return Solved(at, tuple(system.solve(at) for system in self.systems))
 
     def coefficients(self, position: Vector) -> Coefficients:
         """Energy coefficients a, b, c at `position`."""
@@ -121,13 +121,23 @@ class ReducedModel:
 
     def slopes(self, position: Vector) -> Slopes:
         """Their derivatives at `position`."""
+        return cast(Slopes, self._remembered("slopes", position, self._slopes))
+
+    def _slopes(self, position: Vector) -> Slopes:
         found = self.solve(position).u
-        rates = self.rates(position)
         slopes = [
             self.whole([s.energy_slopes(rate, u) for s, u in zip(self.systems, found, strict=True)])
-            for rate in rates
+            for rate in self.rates(position)
         ]
         return parts(np.stack(slopes, axis=-1), Slopes)
+
+    def _remembered(self, name: str, position: Vector, make: Callable[[Vector], Any]) -> Any:
+        """`make(position)`, kept for the last one: energies, slopes and bounds ask in turn."""
+        key = np.asarray(position, float).tobytes()
+        found = self._last.get(name)
+        if found is None or found[0] != key:
+            found = self._last[name] = (key, make(position))
+        return found[1]
 
     def metric_range(self, position: Vector) -> tuple[float, Vector]:
         """Bounds from the zones' metrics: coercivity alpha, and gamma_k of the slopes.
