@@ -1,7 +1,7 @@
 """Still water: potential energy of the displaced water and submerged area, exact for polygons."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -19,35 +19,39 @@ def heave_stiffness(water: Water, length: float) -> float:
 
 
 class _Below:
-    """The hull below z = H at one position: depths and rigid velocities along its chain."""
+    """The hull below z = H at one position: its chain (k, 2), arms from the pitch centre (k, 2)."""
 
     def __init__(self, chain: Vector, arms: Vector, level: float) -> None:
         self.dx, self.dz = np.diff(chain, axis=0).T
-        self.depth = level - chain[:, 1]
+        self.start, self.end = level - chain[:-1, 1], level - chain[1:, 1]
         self.arms = arms
 
     def area(self) -> float:
         """A_sub, the integral of depth dx [m2]."""
-        d = self.depth
-        return float(self.dx @ (d[:-1] + d[1:]) / 2)
+        return float(self.dx @ (self.start + self.end)) / 2
 
     def moment(self) -> float:
         """Integral of the depth over the submerged area [m3]."""
-        d, e = self.depth[:-1], self.depth[1:]
-        return float(self.dx @ (d * d + d * e + e * e) / 6)
+        d, e = self.start, self.end
+        return float(self.dx @ (d * d + d * e + e * e)) / 6
 
-    def flux(self, mode: str, *, weighted: bool) -> float:
-        """Integral of V_i.n ds over the hull, or of the depth times it; n into the hull."""
+    def _flux(self, mode: str) -> tuple[Vector, Vector]:
+        """V_i.n times the length of each edge at its ends, n into the hull."""
+        if mode != "pitch":
+            rate = self.dx if mode == "heave" else -self.dz
+            return rate, rate
         x, z = self.arms.T
-        u, v = {
-            "surge": (np.ones_like(x), np.zeros_like(x)),
-            "heave": (np.zeros_like(x), np.ones_like(x)),
-            "pitch": (-z, x),
-        }[mode]
-        d = self.depth if weighted else np.ones_like(self.depth)
-        start = v[:-1] * self.dx - u[:-1] * self.dz
-        end = v[1:] * self.dx - u[1:] * self.dz
-        return float(start @ (2 * d[:-1] + d[1:]) + end @ (d[:-1] + 2 * d[1:])) / 6
+        return x[:-1] * self.dx + z[:-1] * self.dz, x[1:] * self.dx + z[1:] * self.dz
+
+    def flux(self, mode: str) -> float:
+        """Integral of V_i.n ds over the hull."""
+        start, end = self._flux(mode)
+        return float(start.sum() + end.sum()) / 2
+
+    def pressed(self, mode: str) -> float:
+        """Integral of the depth times V_i.n ds over the hull."""
+        (start, end), d, e = self._flux(mode), self.start, self.end
+        return float(start @ (2 * d + e) + end @ (d + 2 * e)) / 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +78,17 @@ class Hydrostatics:
     center: Vector
     level: float
     modes: tuple[str, ...]
+    _last: dict[bytes, _Below] = field(default_factory=dict, init=False, repr=False)
 
     def _below(self, q: Vector) -> _Below:
+        """The hull at q, kept for the last one asked for."""
+        key = q.tobytes()
+        if key not in self._last:
+            self._last.clear()
+            self._last[key] = self._moved(q)
+        return self._last[key]
+
+    def _moved(self, q: Vector) -> _Below:
         given = dict(zip(self.modes, q.tolist(), strict=True))
         angle = given.get("pitch", 0.0)
         center = self.center + np.array([given.get("surge", 0.0), given.get("heave", 0.0)])
@@ -104,7 +117,7 @@ class Hydrostatics:
     def gradient(self, q: Vector) -> Vector:
         """dU_h/dq_i = -int_Ship rho g (H - z) V_i.n ds, shape (n,): minus the buoyancy."""
         below = self._below(q)
-        return -self._weight * np.array([below.flux(mode, weighted=True) for mode in self.modes])
+        return -self._weight * np.array([below.pressed(mode) for mode in self.modes])
 
     def area(self, q: Vector) -> float:
         """A_sub [m2]."""
@@ -113,7 +126,7 @@ class Hydrostatics:
     def area_gradient(self, q: Vector) -> Vector:
         """dA_sub/dq_i = -int_Ship V_i.n ds, shape (n,)."""
         below = self._below(q)
-        return -np.array([below.flux(mode, weighted=False) for mode in self.modes])
+        return -np.array([below.flux(mode) for mode in self.modes])
 
     @property
     def _weight(self) -> float:

@@ -6,7 +6,7 @@ geometrically. Slopes cost no solve, so each point gives two conditions: n point
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol
 
@@ -50,6 +50,7 @@ class Curves:
     clearance: float
     series: tuple[Chebyshev, Chebyshev, Chebyshev]
     free_surface: FreeSurface
+    _last: dict[float, tuple[Vector, Vector]] = field(default_factory=dict, init=False, repr=False)
 
     @staticmethod
     def of(fluid: Meshed, low: float, high: float, points: int = POINTS) -> "Curves":
@@ -116,7 +117,18 @@ class Curves:
         return np.asarray(bend).reshape(3, *np.shape(w))
 
     def _at(self, w: ArrayLike) -> tuple[Vector, Vector]:
-        """Clearance (points,) at w and T_k = cos(k arccos x), shape (terms, points)."""
+        """Clearance (points,) and T_k (terms, points) at w, kept for the last single one."""
+        if np.size(w) != 1:
+            return self._basis(w)
+        key = float(np.ravel(w)[0])
+        if key not in self._last:
+            found = self._basis(w)
+            self._last.clear()
+            self._last[key] = found
+        return self._last[key]
+
+    def _basis(self, w: ArrayLike) -> tuple[Vector, Vector]:
+        """Clearance at w and T_k = cos(k arccos x)."""
         gap = np.ravel(np.asarray(w, float)) + self.clearance
         low, high = self.logarithms
         with np.errstate(invalid="ignore", divide="ignore"):

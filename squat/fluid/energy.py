@@ -31,8 +31,8 @@ class Energies(NamedTuple):
     """Where the energy of ship and water is, and what the ends of the channel feed [J/m, W/m].
 
     ship: q'^T M_s q'/2; water: T_f = (V^2 a + 2 V b.q' + q'^T c q')/2; static: U_h + m g z_G from
-    its value at rest; stream: U_B = rho V^2 A_sub/2 likewise; supply: V (V a + b.q'), whose rate
-    is the power that enters through In and Out.
+    its value at rest; stream: U_B = rho V^2 A_sub/2 likewise; supply: V (V a + b.q'); power: its
+    rate in a constant current, what enters through In and Out.
     """
 
     ship: float
@@ -40,6 +40,7 @@ class Energies(NamedTuple):
     static: float
     stream: float
     supply: float
+    power: float
 
     @property
     def total(self) -> float:
@@ -125,21 +126,16 @@ class ShipEnergy:
             current_rate,
         )
 
-    def energies(self, q: Vector, velocity: Vector) -> Energies:
-        """Energy, term by term, at q and q'."""
-        a, b, c = self.model.coefficients(q)
-        V = self.current
+    def energies(self, motion: Motion) -> Energies:
+        """Energy, term by term, for q, q' and q''; the power alone depends on the last."""
+        (q, velocity, acceleration), V = motion, self.current
+        (a, b, c), slopes = self.model.coefficients(q), self.model.slopes(q)
         crossed = float(b @ velocity)
         ship = float(velocity @ self.body.mass_matrix(q) @ velocity) / 2
         water = (V**2 * a + 2 * V * crossed + float(velocity @ c @ velocity)) / 2
-        return Energies(ship, water, *self._potentials(q), V * (V * a + crossed))
-
-    def end_power(self, motion: Motion) -> float:
-        """Power [W/m] that enters through In and Out: V d/dt (V a + b.q') at constant V."""
-        q, velocity, acceleration = motion
-        slopes, V = self.model.slopes(q), self.current
-        rate = V * slopes.a @ velocity + velocity @ slopes.b @ velocity
-        return float(V * (rate + self.model.coefficients(q).b @ acceleration))
+        rate = V * slopes.a @ velocity + velocity @ slopes.b @ velocity + b @ acceleration
+        potentials = self._potentials(q)
+        return Energies(ship, water, *potentials, V * (V * a + crossed), V * float(rate))
 
     def _potentials(self, q: Vector) -> tuple[float, float]:
         """U_h + m g z_G and U_B, each from its value at rest."""

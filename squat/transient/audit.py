@@ -34,17 +34,15 @@ def audit(ship: ShipEnergy, columns: Columns) -> dict[str, Vector]:
     since t = 0 is V (V a + b.q') less its first value, without any quadrature; the residual is
     what the run has gained or lost for no reason (docs/theory/energy.md).
     """
-    pairs = zip(columns.position, columns.velocity, strict=True)
-    terms = [ship.energies(q, velocity) for q, velocity in pairs]
-    water, static, stream, supply = np.array([term[1:] for term in terms]).T
-    total = np.array([term.total for term in terms])
     motions = map(Motion._make, zip(*columns[:3], strict=True))
-    work = supply - supply[0]
+    terms = [ship.energies(motion) for motion in motions]
+    _, water, static, stream, supply, power = np.array(terms).T
+    kept = np.array([term.conserved for term in terms])
     return {
         "water_energy": water,
         "static_energy": static,
         "stream_energy": stream,
-        "end_power": np.array([ship.end_power(motion) for motion in motions]),
-        "end_work": work,
-        "energy_residual": total - total[0] - work,
+        "end_power": power,
+        "end_work": supply - supply[0],
+        "energy_residual": kept - kept[0],
     }
