@@ -71,6 +71,11 @@ class FluidModel(Protocol):
     questions couples to the ship in the same way.
     """
 
+    @property
+    def current(self) -> float:
+        """V of the water far from the hull [m/s]."""
+        ...
+
     def flow(self, position: Vector, velocity: Vector) -> Flow:
         """Flow for hull position and velocity, shape (n,) each; PositionError out of reach."""
         ...

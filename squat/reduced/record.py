@@ -45,7 +45,11 @@ class Loaded(NamedTuple):
 def on_patch(reduced: Reduced, mesh: Mesh) -> Loaded:
     """The model with potentials beside the hull only."""
     patch = hull_patch(mesh)
-    return Loaded(reduced.model, patch.mesh, tuple(V[:, patch.nodes] for V in reduced.basis))
+    return Loaded(
+        reduced.model,
+        patch.mesh,
+        tuple(np.ascontiguousarray(V[:, patch.nodes]) for V in reduced.basis),
+    )
 
 
 def to_record(reduced: Reduced, nodes: int) -> xr.Dataset:

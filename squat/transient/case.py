@@ -16,10 +16,11 @@ from squat.fluid.model import FreeSurface
 from squat.fluid.rates import RATES, RateName
 from squat.mesh import MeshSize
 from squat.quantities import STRICT, Fraction, NonNegative, Position, Speed
+from squat.reduced import Training
 from squat.water import Water
 
 Force = Literal["pressure", "variational"]
-Model = Literal["full", "curves"]
+Model = Literal["full", "curves", "reduced"]
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -85,11 +86,15 @@ class Inputs:
         Dataset of task=added_mass under zero pressure for the same hull and channel.
     equilibria
         Dataset of task=equilibria, for the roots drawn beside the run.
+    reduced
+        Dataset of task=reduced for the same hull, channel, water, mesh and free surface; for
+        snapshots one with fields=true.
     """
 
     mesh: str | None
     added_mass: str | None
     equilibria: str | None
+    reduced: str | None
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -136,7 +141,10 @@ class TransientCase:
         energy_momentum, and curves, need (docs/theory/energy.md).
     model
         `full`: the flow is solved at every position; `curves`: a, b, c as series made from a few
-        solves before the run; no field, no pressure on the hull.
+        solves before the run; no field, no pressure on the hull; `reduced`: a reduced basis from
+        a few solves before the run, with pressure and field (docs/theory/reduced.md).
+    reduced
+        How a reduced model is made where `inputs.reduced` gives none.
     initial_heave
         w(0) [m]; the ship is at rest.
     grounding
@@ -154,6 +162,7 @@ class TransientCase:
     free_surface: FreeSurface
     force: Force
     model: Model
+    reduced: Training
     time: Duration
     coupling: CouplingChoice
     initial_heave: Position
@@ -163,14 +172,14 @@ class TransientCase:
     inputs: Inputs
 
     def __post_init__(self) -> None:
-        if self.force == "pressure" and self.model != "full":
+        if self.force == "pressure" and self.model == "curves":
             raise InputError(f"model={self.model}: has no pressure; give force=variational")
         if self.force == "pressure" and self.coupling.conserving:
             raise InputError(
                 "coupling.integrator=energy_momentum: needs the energies of ship and water; "
                 "give force=variational"
             )
-        if self.model != "full" and self.snapshots:
+        if self.model == "curves" and self.snapshots:
             raise InputError(f"snapshots={self.snapshots}: model={self.model} has no field; give 0")
 
     @property

@@ -40,7 +40,7 @@ def dataset(history: History) -> xr.Dataset:
         "fluid_inertia": water.values(heave)[2],
         **audit(ship_energy(case, parts.fluid, water), columns),
         "predicted_contraction": predicted_contraction(case, parts, water, columns),
-        **(_pressure(parts, columns) if case.model == "full" else {}),
+        **(_pressure(parts, columns) if case.model != "curves" else {}),
         "stable_root": roots.stable,
         "unstable_root": roots.unstable,
         "added_mass": parts.added_mass,

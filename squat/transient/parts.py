@@ -24,7 +24,7 @@ from squat.coupling.conserving import limits as sweep_limits
 from squat.dynamics import Motion, RigidBody
 from squat.errors import InputError
 from squat.fluid.accuracy import accurate
-from squat.fluid.curves import Curves
+from squat.fluid.curves import POINTS, Curves
 from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.heave import HeaveEnergy
 from squat.fluid.model import EnergyModel, FluidModel, forget
@@ -34,13 +34,20 @@ from squat.mesh import Mesh, PositionError, submesh
 from squat.mesh.generate import generate
 from squat.mesh.ugrid import from_dataset
 from squat.quantities import Vector
-from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH
+from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH, REDUCED
 from squat.records.schema import Kind
+from squat.reduced.fluid import ReducedFluid
+from squat.reduced.greedy import reduce
+from squat.reduced.record import Loaded, load, on_patch
 from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
 from squat.transient.problem import EnergyProblem, Field, ShipProblem
 
 MODES = ("heave",)
+_FINE = 32
+"""Positions that curves of a reduced model are made from: it answers at once."""
+Water = PotentialFluid | ReducedFluid
+"""Flow solvers with pressure and field."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +55,7 @@ class Parts:
     """The pieces of one run; `added_mass` is m_add [kg/m] of (23) at w = 0."""
 
     problem: ShipProblem | EnergyProblem
-    fluid: PotentialFluid
+    fluid: Water
     coupling: Coupling | Conserving
     added_mass: float
     omega: float
@@ -72,7 +79,7 @@ class Parts:
 
 def prepare(case: TransientCase) -> Parts:
     """Mesh, added mass and loop of `case`, from its input files where given."""
-    fluid = PotentialFluid(load_mesh(case), case.water, case.free_surface, case.current)
+    fluid = load_fluid(case)
     problem = _problem(case, fluid)
     added = load_added_mass(case)
     omega = case.omega(added)
@@ -80,28 +87,48 @@ def prepare(case: TransientCase) -> Parts:
     return Parts(problem, fluid, coupling, added, omega, case.time.step(omega))
 
 
-def ship_energy(case: TransientCase, fluid: PotentialFluid, model: EnergyModel) -> ShipEnergy:
+def load_fluid(case: TransientCase) -> Water:
+    """The flow solver: on the whole mesh, or a reduced one where `case.model` says so."""
+    if case.model != "reduced":
+        return PotentialFluid(load_mesh(case), case.water, case.free_surface, case.current)
+    return load_reduced(case).fluid(case.water, case.current)
+
+
+def load_reduced(case: TransientCase) -> Loaded:
+    """The reduced model of the input file, or a new one; the whole mesh where snapshots need it."""
+    if case.inputs.reduced is not None:
+        same = ("hull", "channel", "water", "mesh", "free_surface")
+        _input(case.inputs.reduced, REDUCED, case, same)
+        return load(Path(case.inputs.reduced), fields=case.snapshots > 0)
+    mesh = load_mesh(case)
+    made = reduce(mesh, case.water.density, case.free_surface, case.reduced)
+    return Loaded(made.model, mesh, made.basis) if case.snapshots else on_patch(made, mesh)
+
+
+def ship_energy(case: TransientCase, fluid: Water, model: EnergyModel) -> ShipEnergy:
     """Energy of ship and water, the water's by `model`."""
     body = RigidBody(MODES, case.mass, 0.0, case.water.gravity)
     return ShipEnergy(body, still_water(fluid.mesh.submesh, case.water), model, case.current)
 
 
-def curves(case: TransientCase, fluid: PotentialFluid, lowest: float = np.inf) -> Curves:
+def curves(case: TransientCase, fluid: Water, lowest: float = np.inf) -> Curves:
     """Energy coefficients on the run's mesh, down to half the grounding or to `lowest` [m]."""
     forget(fluid)  # a restarted run has not asked what an undisturbed one has
     limits = fluid.mesh.submesh.limits
     low = min((case.grounding / 2 - 1) * limits.clearance, lowest)
-    return Curves.of(fluid, low, min(limits.draft / 2, limits.wall * 0.9))
+    low = max(low, (limits.fraction - 1) * limits.clearance)
+    points = _FINE if case.model == "reduced" else POINTS
+    return Curves.of(fluid, low, min(limits.draft / 2, limits.wall * 0.9), points)
 
 
-def _problem(case: TransientCase, fluid: PotentialFluid) -> ShipProblem | EnergyProblem:
+def _problem(case: TransientCase, fluid: Water) -> ShipProblem | EnergyProblem:
     rate = RATES[case.coupling.potential_rate]
     if case.force == "pressure":
         body = RigidBody(MODES, case.mass, 0.0, case.water.gravity)
         return ShipProblem(body, fluid, rate)
-    if case.model == "curves":
-        return EnergyProblem(ship_energy(case, fluid, curves(case, fluid)), None)
-    return EnergyProblem(ship_energy(case, fluid, fluid), Field(fluid, rate))
+    model = fluid if case.model == "full" else curves(case, fluid)
+    field = None if case.model == "curves" else Field(fluid, rate)
+    return EnergyProblem(ship_energy(case, fluid, model), field)
 
 
 def _coupling(
@@ -113,7 +140,7 @@ def _coupling(
     if choice.conserving:
         assert isinstance(problem, EnergyProblem)  # TransientCase refuses others
         energy = problem.energy
-        one = HeaveEnergy(energy) if case.model == "curves" else None
+        one = HeaveEnergy(energy) if isinstance(energy.model, Curves) else None
         limits = sweep_limits(choice.criterion)
         return Conserving(energy, energy.lengths, limits, problem.remember, one)
     return Coupling(

@@ -9,7 +9,6 @@ from squat.dynamics import Motion, RigidBody
 from squat.dynamics.lagrangian import acceleration, force
 from squat.fluid.energy import ShipEnergy
 from squat.fluid.model import EnergyModel, Flow, FluidModel
-from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import Levels, Rate
 from squat.mesh import PositionError
 from squat.quantities import Vector
@@ -77,13 +76,13 @@ class ShipProblem:
 class Field:
     """The potential of a run whose force does not need it: for pressure and snapshots."""
 
-    fluid: PotentialFluid
+    fluid: FluidModel
     rate: Rate
 
     def start(self, motion: Motion, dt: float) -> Levels:
         """Levels at t = 0: the rate follows q'', the level before it the rate."""
         potential = self._potential(motion)
-        rate = motion.acceleration @ self.fluid.unit_flows(motion.position).unit
+        rate = motion.acceleration @ self.fluid.unit_potentials(motion.position)[1]
         return Levels(potential, potential - dt * rate, rate)
 
     def follow(self, motion: Motion, memory: Levels, dt: float) -> Levels:
@@ -92,8 +91,8 @@ class Field:
         return Levels(potential, memory.now, self.rate(potential, memory, dt))
 
     def _potential(self, motion: Motion) -> Vector:
-        flows = self.fluid.unit_flows(motion.position)
-        return np.asarray(self.fluid.current * flows.current + motion.velocity @ flows.unit)
+        current, unit = self.fluid.unit_potentials(motion.position)
+        return np.asarray(self.fluid.current * current + motion.velocity @ unit)
 
 
 @dataclass(frozen=True)
