@@ -1,7 +1,7 @@
 """Partitioned coupling of a structure with a fluid: one loop, independent slots."""
 
 from squat.coupling.accelerators import Accelerator, Aitken, ConstantRelaxation, NoAcceleration
-from squat.coupling.conserving import Conserving
+from squat.coupling.conserving import Conserving, Modes, SingleMode
 from squat.coupling.criteria import Criterion
 from squat.coupling.loop import Coupling, State, Status, Step, advance, march, repeated
 from squat.coupling.monolithic import Monolithic
@@ -21,6 +21,7 @@ __all__ = [
     "Criterion",
     "InterfaceQuasiNewton",
     "Load",
+    "Modes",
     "Monolithic",
     "NoAcceleration",
     "Predictor",
@@ -29,6 +30,7 @@ __all__ = [
     "Scheme",
     "SchemeName",
     "Secants",
+    "SingleMode",
     "State",
     "Status",
     "Step",

@@ -9,15 +9,17 @@ from pydantic.dataclasses import dataclass
 from squat.coupling import (
     PREDICTORS,
     Accelerator,
+    Conserving,
     Coupling,
     Criterion,
     PredictorName,
     SchemeName,
+    SingleMode,
     corrected,
     standard,
 )
 from squat.coupling.amplification import amplification_factor
-from squat.dynamics import INTEGRATORS, IntegratorName, TimeGrid
+from squat.dynamics import INTEGRATORS, StepName, TimeGrid
 from squat.piston.piston import Oscillator, Piston
 from squat.quantities import STRICT
 from squat.water import Water
@@ -25,13 +27,17 @@ from squat.water import Water
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class PistonCase:
-    """A piston, its water, its time steps, and the four slots of the coupling loop."""
+    """A piston, its water, its time steps, and the four slots of the coupling loop.
+
+    `integrator=energy_momentum` steps piston and water as one system and uses of the slots only
+    the criterion's limits.
+    """
 
     piston: Piston
     water: Water
     time: TimeGrid
     scheme: SchemeName
-    integrator: IntegratorName
+    integrator: StepName
     accelerator: Annotated[Accelerator, Field(discriminator="name")]
     predictor: PredictorName
     criterion: Criterion
@@ -53,8 +59,10 @@ class PistonCase:
         return ratios[self.scheme] * self.oscillator.fluid_mass
 
     def amplification(self) -> float:
-        """G in closed form."""
+        """G in closed form; of the sweeps of `energy_momentum` -(omega dt)^2/4."""
         problem = self.oscillator
+        if self.integrator == "energy_momentum":
+            return -((problem.omega * self.dt) ** 2) / 4
         return float(
             amplification_factor(
                 problem.piston_mass,
@@ -66,8 +74,10 @@ class PistonCase:
             )
         )
 
-    def coupling(self) -> Coupling:
-        """The loop's slots."""
+    def coupling(self) -> Coupling | Conserving:
+        """The loop's slots, or piston and water as one system."""
+        if self.integrator == "energy_momentum":
+            return Conserving.of(SingleMode(self.oscillator), self.criterion)
         mass = self.oscillator.mass
         m_add = np.array([[self.added_mass]])
         scheme = standard(mass) if self.scheme == "standard" else corrected(mass, m_add)

@@ -71,6 +71,11 @@ class Oscillator:
         """Eq. (7): pressure force less weight."""
         return Load(-self.fluid_mass * trial.acceleration - self.stiffness * trial.position, None)
 
+    def __call__(self, w: float) -> tuple[float, float, float, float]:
+        """M = m + m_f, U = k w^2/2 and their slopes: piston and water as a `dynamics.OneMode`."""
+        M, k = self.piston_mass + self.fluid_mass, self.stiffness
+        return M, k * w * w / 2, 0.0, k * w
+
     @property
     def omega(self) -> float:
         """Angular frequency [rad/s] of Eq. (5)."""

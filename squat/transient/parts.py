@@ -13,14 +13,15 @@ from squat.coupling import (
     PREDICTORS,
     Conserving,
     Coupling,
+    Modes,
     Scheme,
+    SingleMode,
     State,
     Step,
     advance,
     corrected,
     standard,
 )
-from squat.coupling.conserving import limits as sweep_limits
 from squat.dynamics import Motion, RigidBody
 from squat.errors import InputError
 from squat.fluid.accuracy import accurate
@@ -140,9 +141,10 @@ def _coupling(
     if choice.conserving:
         assert isinstance(problem, EnergyProblem)  # TransientCase refuses others
         energy = problem.energy
-        one = HeaveEnergy(energy) if isinstance(energy.model, Curves) else None
-        limits = sweep_limits(choice.criterion)
-        return Conserving(energy, energy.lengths, limits, problem.remember, one)
+        whole: Modes | SingleMode = Modes(energy, energy.lengths)
+        if isinstance(energy.model, Curves):
+            whole = SingleMode(HeaveEnergy(energy))
+        return Conserving.of(whole, choice.criterion, problem.remember)
     return Coupling(
         _scheme(case, problem.mass, problem.model, added_mass),
         choice.ties,

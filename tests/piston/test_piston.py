@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from squat.errors import InputError
 from squat.piston import run
 from squat.piston.piston import Oscillator
 from squat.piston.study import predict, steps, with_density, with_ratios
@@ -118,3 +119,28 @@ def test_impossible_dt_still_counts(case):
 
 def test_oscillator_frequency_is_eq_5():
     assert Oscillator(3.0, 1.0, 16.0).omega == 2.0
+
+
+@pytest.mark.parametrize("mass_ratio", [0.2, 10.0])
+def test_energy_momentum_keeps_the_energy_at_any_mass_ratio_and_contracts_as_predicted(
+    case, mass_ratio
+):
+    keys = "integrator=energy_momentum", f"piston.mass_ratio={mass_ratio}", "time.periods=30"
+    data = run(case("piston", *keys))
+    energy = (data["kinetic_energy"] + data["potential_energy"]).values
+    # Rounding of each of 2100 steps, as a random walk.
+    assert abs(energy / energy[0] - 1).max() < 4 * 2.2e-16 * np.sqrt(energy.size)
+    predicted = float(data["predicted_contraction"])
+    assert predicted == pytest.approx(-((2 * np.pi / 70) ** 2) / 4)
+    assert data["contraction"].values[1:].mean() == pytest.approx(predicted, rel=1e-6)
+
+
+def test_energy_momentum_is_second_order_towards_eq_5(case):
+    base = case("piston", "integrator=energy_momentum")
+    errors = [error(refined(base, n)) for n in (35, 70, 140, 280)]
+    assert np.log2(np.array(errors[:-1]) / errors[1:]) == pytest.approx(2, abs=0.02)
+
+
+def test_iterations_of_a_step_without_iteration_are_not_studied(case):
+    with pytest.raises(InputError, match="integrator=energy_momentum: has no iterations"):
+        case("iterations", "integrator=energy_momentum")
