@@ -8,7 +8,7 @@ from typing import Any
 
 import xarray as xr
 
-from squat import analysis, catalogue, figures, piston, records, reduced, report, transient
+from squat import analysis, catalogue, figures, piston, race, records, reduced, report, transient
 from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
@@ -37,6 +37,7 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "added_mass": added_mass.run,
     "inertia": inertia.run,
     "sensitivity": sensitivity.run,
+    "race": race.run,
 }
 TASKS = (*DATASETS, "reduced", "transient")
 """Tasks that make a dataset."""

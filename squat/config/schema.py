@@ -20,6 +20,7 @@ from squat.fluid.sensitivity import SensitivityCase
 from squat.mesh.case import MeshCase
 from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
+from squat.race import RaceCase
 from squat.records.identity import HOUSEKEEPING
 from squat.reduced.case import ReducedCase
 from squat.report import ReportCase
@@ -40,6 +41,7 @@ CASES: dict[str, type] = {
     "sensitivity": SensitivityCase,
     "reduced": ReducedCase,
     "transient": TransientCase,
+    "race": RaceCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

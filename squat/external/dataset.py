@@ -10,7 +10,7 @@ from squat.dynamics import Motion
 from squat.external.problem import BlackBox
 from squat.quantities import Vector
 from squat.records import build
-from squat.records.kinds import COUPLED
+from squat.records.coupling_kinds import COUPLED
 from squat.records.padding import padded
 
 

@@ -17,10 +17,12 @@ from squat.figures.equilibria import fig10
 from squat.figures.files import save
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
+from squat.figures.race import race
 from squat.figures.stability import basins, limits, limits_map, phase_portrait, potential
 from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
 from squat.quantities import STRICT
+from squat.records.coupling_kinds import RACE
 from squat.records.kinds import (
     ADDED_MASS,
     EQUILIBRIA,
@@ -52,6 +54,7 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "limits": (STABILITY, limits),
     "basins": (STABILITY, basins),
     "limits_map": (LIMITS_MAP, limits_map),
+    "race": (RACE, race),
 }
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from squat.records.coupling_kinds import COUPLED, RACE
 from squat.records.schema import Kind, Variable
 from squat.records.stability_kinds import LIMITS, LIMITS_MAP, STABILITY
 
@@ -248,40 +249,6 @@ TRANSIENT = Kind(
     ("status", "coupling", "current", "free_surface", "force", "model"),
 )
 
-_MODES = ("time", "mode")
-COUPLED = Kind(
-    "coupled",
-    1,
-    "Coupling of a user's structure with a user's force",
-    {
-        "time": Variable(_TIME, "s", "time of the accepted steps"),
-        "mode": Variable(("mode",), "1", "degree of freedom"),
-        "mode_i": Variable(("mode_i",), "1", "degree of freedom that the force acts on"),
-        "mode_j": Variable(("mode_j",), "1", "degree of freedom that accelerates"),
-        "position": Variable(_MODES, "m", "position q; rad where a mode turns"),
-        "velocity": Variable(_MODES, "m s-1", "velocity q'"),
-        "acceleration": Variable(_MODES, "m s-2", "acceleration q''"),
-        "fluid_force": Variable(_MODES, "N", "force of the fluid in the accepted iterate"),
-        "iterations": Variable(_TIME, "1", "structure solves of the step"),
-        "contraction": Variable(_TIME, "1", "measured contraction factor of the iteration"),
-        "residual": Variable(("time", "iteration"), "m", "|q^{k+1} - q^k| of every iteration"),
-        "failed_residual": Variable(
-            ("failed_iteration",), "m", "residuals of the step that did not converge"
-        ),
-        "failed_contraction": Variable((), "1", "contraction of the step that did not converge"),
-        "effective_added_mass": Variable(
-            ("mode_i", "mode_j"), "kg", "-dF/dq'' of the fluid, estimated from the first iterates"
-        ),
-        "added_mass": Variable(("mode_i", "mode_j"), "kg", "m_add of the scheme"),
-        "predicted_contraction": Variable(
-            (), "1", "G from the estimate; of n modes its eigenvalue of greatest modulus"
-        ),
-        "time_step": Variable((), "s", "time step"),
-    },
-    ("status", "scheme", "accelerator", "integrator", "predictor", "tolerance"),
-)
-
-
 _COARSE = (
     "corner_x",
     "corner_z",
@@ -355,5 +322,6 @@ _ALL = (
     STABILITY,
     LIMITS,
     LIMITS_MAP,
+    RACE,
 )
 KINDS = {kind.name: kind for kind in _ALL}

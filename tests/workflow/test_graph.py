@@ -71,7 +71,7 @@ def test_everything_promised_is_left(tree):
     columns = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
     assert list(verdicts.columns) == columns
     numbered = [f"fig{n}" for n in (3, 5, 6, 7, 8, 9, 10)]
-    for figure in (*numbered, "mesh_quality", "sensitivity", "iterations"):
+    for figure in (*numbered, "mesh_quality", "sensitivity", "iterations", "race"):
         assert (results / "figures" / f"{figure}.png").read_bytes().startswith(b"\x89PNG")
         assert "<svg" in (results / "figures" / f"{figure}.svg").read_text()
 

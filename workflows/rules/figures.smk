@@ -21,6 +21,7 @@ FIGURES = {
     "basins": rules.stability.output[0],
     "limits_map": rules.limits_map.output[0],
     "iterations": rules.iterations.output[0],
+    "race": rules.race.output[0],
     "mesh_quality": rules.mesh.output[0],
     "sensitivity": f"{ADDED_MASS}/sensitivity.nc",
 }
