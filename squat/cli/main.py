@@ -14,6 +14,7 @@ from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
 import squat
+from squat.cli.arguments import with_lists
 from squat.cli.jobs import FAILED, Failures
 from squat.cli.messages import condense
 from squat.cli.tasks import run_task
@@ -34,6 +35,7 @@ def main() -> None:
         print(f"squat {squat.__version__}")
         return
     try:
+        sys.argv[1:] = with_lists(sys.argv[1:])
         _check_options(sys.argv[1:])
         _entry()
     except KeyboardInterrupt:

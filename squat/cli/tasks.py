@@ -26,6 +26,13 @@ def _mesh(case: Any) -> xr.Dataset:
     return run(case)
 
 
+def _replay(case: Any, path: Path) -> None:
+    # rerun takes a second to import.
+    from squat.replay.write import write_replay  # noqa: PLC0415
+
+    write_replay(case, path)
+
+
 DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "piston": piston.run,
     "iterations": piston.study,
@@ -49,6 +56,7 @@ FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
     "difference": (".csv", catalogue.write_difference),
     "compare": (".png", figures.write_compare),
     "report": (".html", report.write_report),
+    "replay": (".rrd", _replay),
 }
 
 

@@ -23,6 +23,7 @@ from squat.quantities import STRICT
 from squat.race import RaceCase
 from squat.records.identity import HOUSEKEEPING
 from squat.reduced.case import ReducedCase
+from squat.replay import ReplayCase
 from squat.report import ReportCase
 from squat.stability.case import LimitsCase, LimitsMapCase, StabilityCase
 from squat.stability.run import EquilibriaCase
@@ -49,6 +50,7 @@ CASES: dict[str, type] = {
     "difference": DifferenceCase,
     "compare": CompareCase,
     "report": ReportCase,
+    "replay": ReplayCase,
 }
 
 
@@ -61,7 +63,7 @@ class Settings:
     task
         Name of the task.
     out
-        File to write; None: `<task>.nc` (or `.csv`, `.png`) in the working directory.
+        File to write; None: `<task>.nc` (or `.csv`, `.png`, `.rrd`) in the working directory.
     log_level
         Least severe message shown.
     redo

@@ -7,6 +7,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from squat.figures.style import BLUE, GREEN, ORANGE, RED, single
+from squat.stability.equilibria import keel_pressure
 
 
 def fig11(*runs: xr.Dataset) -> Figure:
@@ -49,7 +50,7 @@ def fig12(run: xr.Dataset) -> Figure:
         label="2D (the corners are singular)",
     )
     speed = run.attrs["current"]
-    one = water["density"] * speed**2 / 2 * (1 - (channel["depth"] / gap) ** 2)
+    one = float(keel_pressure(water["density"], speed, channel["depth"], gap))
     axes.axhline(one / 1000, color=RED, ls="--", label="1D, uniform under the hull")
     axes.set_xlabel("$x$ from the bow [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")

@@ -1,6 +1,6 @@
 """Datasets on disk: self-describing, written whole or not at all, checked when read."""
 
-from squat.records.files import atomic, claim, read, read_group, save, save_table, stamp
+from squat.records.files import atomic, claim, groups, read, read_group, save, save_table, stamp
 from squat.records.identity import identity, strict_identity
 from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
@@ -16,6 +16,7 @@ __all__ = [
     "build",
     "claim",
     "config_of",
+    "groups",
     "identity",
     "plain",
     "read",

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import h5netcdf  # noqa: F401  (a missing engine must fail at import, not after a long run)
+import h5netcdf
 import pandas as pd
 import xarray as xr
 
@@ -145,14 +145,24 @@ def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
     return dataset
 
 
+def groups(path: Path) -> tuple[str, ...]:
+    """Names of the groups in a file that `read` accepts."""
+    with h5netcdf.File(path, "r") as file:
+        return tuple(file.groups)
+
+
 def read_group(path: Path, name: str) -> xr.Dataset:
     """Snapshots in the group `name` of a dataset that `read` accepts."""
     read(path)
+    if name not in groups(path):
+        raise InputError(f"{path}: holds no group {name!r}; run with snapshots=1")
     try:
         with xr.open_dataset(path, engine="h5netcdf", group=name) as file:
             return file.load()
-    except OSError as error:
-        raise InputError(f"{path}: holds no group {name!r}; run with snapshots=1") from error
+    except Exception as error:
+        raise InputError(
+            f"{path}: group {name!r} is not readable ({type(error).__name__}); write it again"
+        ) from error
 
 
 def _kind(dataset: xr.Dataset, path: Path) -> Kind:

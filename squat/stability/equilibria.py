@@ -36,6 +36,15 @@ class Fold(NamedTuple):
     sinkage: float
 
 
+def keel_pressure(density: float, speed: ArrayLike, depth: float, clearance: ArrayLike) -> Vector:
+    """Pressure under the hull less hydrostatic [Pa], uniform in Eq. (27), elementwise.
+
+    `speed` V [m/s] far away, `clearance` H - T + w [m] under the keel, `depth` H [m].
+    """
+    contraction = (depth / np.asarray(clearance, float)) ** 2
+    return np.asarray(density * np.asarray(speed, float) ** 2 / 2 * (1 - contraction))
+
+
 @dataclass(frozen=True)
 class OneDimensionalModel:
     """Eq. (27) for one hull in one channel, per unit width."""
@@ -54,10 +63,10 @@ class OneDimensionalModel:
 
     def force(self, w: ArrayLike, speed: ArrayLike) -> Vector:
         """Net vertical force [N/m] at heave `w` [m] and `speed` [m/s], elementwise."""
-        w, V = np.asarray(w, float), np.asarray(speed, float)
+        w = np.asarray(w, float)
         rho, g, L = self.water.density, self.water.gravity, self.hull.length
-        contraction = (self.channel.depth / (self.clearance + w)) ** 2
-        return np.asarray(-rho * g * L * w + rho * L * V**2 / 2 * (1 - contraction))
+        suction = keel_pressure(rho, speed, self.channel.depth, self.clearance + w)
+        return np.asarray(-rho * g * L * w + L * suction)
 
     def stiffness(self, w: ArrayLike, speed: ArrayLike) -> Vector:
         """Restoring slope -dF/dw [N/m2], elementwise; positive: stable.

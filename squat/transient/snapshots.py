@@ -20,6 +20,7 @@ _ATTRIBUTES = {
     "velocity_z": ("m s-1", "water velocity along z, mean of the triangles at a node"),
     "pressure": ("Pa", "pressure less atmospheric, Eq. (20)"),
     "face_node": ("1", "nodes of each triangle, from 0"),
+    "face_zone": ("1", "coarse triangle that the triangle lies in and moves with, affinely"),
 }
 
 
@@ -31,7 +32,11 @@ def fields(parts: Parts, snapshots: Mapping[int, Snapshot]) -> xr.Dataset:
     rows = list(snapshots.values())
     data = {name: (("time", "node"), np.array([row[name] for row in rows])) for name in rows[0]}
     dataset = xr.Dataset(
-        {**data, "face_node": (("face", "corner"), parts.fluid.mesh.triangles)},
+        {
+            **data,
+            "face_node": (("face", "corner"), parts.fluid.mesh.triangles),
+            "face_zone": ("face", parts.fluid.mesh.zone),
+        },
         {"time": parts.dt * np.array(list(snapshots))},
     )
     for name, (units, long_name) in _ATTRIBUTES.items():

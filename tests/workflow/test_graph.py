@@ -74,6 +74,11 @@ def test_everything_promised_is_left(tree):
     for figure in (*numbered, "mesh_quality", "sensitivity", "iterations", "race"):
         assert (results / "figures" / f"{figure}.png").read_bytes().startswith(b"\x89PNG")
         assert "<svg" in (results / "figures" / f"{figure}.svg").read_text()
+    runs = {*results.glob("transient/*.nc"), *results.glob("piston/*_*.nc")}
+    assert len(runs) > 3
+    for run in runs:
+        recording = results / "replay" / f"{run.parent.name}_{run.stem}.rrd"
+        assert recording.stat().st_size < 12e6
 
 
 def test_report_shows_every_figure_and_table_and_needs_no_network(tree, case):

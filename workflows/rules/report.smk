@@ -7,6 +7,7 @@ rule contents:
         rules.equilibria.output,
         rules.limits.output,
         rules.verdicts.output,
+        REPLAYS,
         expand(rules.table.output, table=TABLES),
         expand(
             f"{RESULTS}/figures/{{figure}}.{{suffix}}",

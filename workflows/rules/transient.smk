@@ -24,6 +24,7 @@ rule transient:
         coupling="[a-z_]+",
         current="[0-9.]+",
     params:
+        snapshots=RUNS["snapshots"],
         config=lambda wildcards: configured(
             "transient",
             f"current={wildcards.current}",
@@ -31,5 +32,6 @@ rule transient:
         ),
     shell:
         "squat task=transient current={wildcards.current} coupling={wildcards.coupling}"
+        " snapshots={params.snapshots}"
         " 'inputs.mesh=\"{input.mesh}\"' 'inputs.added_mass=\"{input.added_mass}\"'"
         " 'inputs.equilibria=\"{input.equilibria}\"' 'out=\"{output}\"' > {log:q} 2>&1"

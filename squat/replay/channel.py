@@ -1,0 +1,89 @@
+"""The ship in its channel: lines from the record, the field from its snapshots."""
+
+from typing import NamedTuple
+
+import numpy as np
+import rerun as rr
+import rerun.blueprint as rrb
+from pydantic import TypeAdapter
+
+from squat.channel import AnyHull, Channel
+from squat.quantities import Vector
+from squat.replay import scene
+from squat.replay.field import Scales, draw_field, snapshot_times
+from squat.replay.panels import Place, panel
+from squat.replay.recorder import Recorder, entity
+from squat.replay.runs import Run
+from squat.replay.style import GREY, PALE, SKY
+
+_FREEBOARD = 0.3  # of the draft: how far the walls are drawn above the water
+_BELOW, _ABOVE, _BESIDE = 0.75, 0.3, 0.03  # margins of the picture, of depth and of length
+_ASPECT = 3.0  # of the pictures' place in the layout, which they share
+
+
+class Extent(NamedTuple):
+    """The channel's ends and levels [m], its bed, and the hull's chain at rest (n, 2)."""
+
+    inlet: float
+    outlet: float
+    depth: float
+    bed: Vector
+    hull: Vector
+
+    @classmethod
+    def of(cls, run: Run) -> "Extent":
+        """From the configuration of a run."""
+        hull = TypeAdapter(AnyHull).validate_python(run.config["hull"])
+        channel = TypeAdapter(Channel).validate_python(run.config["channel"])
+        bed, chain = channel.bed(hull.length), hull.outline.vertices + np.array([0, channel.depth])
+        return cls(float(bed[0, 0]), float(bed[-1, 0]), channel.depth, bed, chain)
+
+    @property
+    def length(self) -> float:
+        """Distance of In and Out [m]."""
+        return self.outlet - self.inlet
+
+
+@panel("channel", Place.PICTURE, ("heave",))
+def channel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
+    """One picture a run, all in the same scales."""
+    scales = Scales.of(runs)
+    return [_picture(recorder, run, scales, _ASPECT * len(runs)) for run in runs]
+
+
+def _picture(recorder: Recorder, run: Run, scales: Scales | None, aspect: float) -> rrb.View:
+    extent = Extent.of(run)
+    origin = entity(run, "channel")
+    _still_lines(recorder, origin, extent)
+    _hull(recorder, origin, run, extent)
+    if run.fields is not None and scales is not None:
+        draw_field(recorder, origin, run, (extent.inlet, extent.outlet), scales)
+    low = np.array([extent.inlet - _BESIDE * extent.length, extent.bed[:, 1].min()])
+    high = np.array([extent.outlet + _BESIDE * extent.length, extent.depth])
+    low[1] -= _BELOW * extent.depth
+    high[1] += _ABOVE * extent.depth
+    what = "Channel" if run.fields is None else "Channel: pressure less hydrostatic, and velocity"
+    return scene.section_view(f"/{origin}", run.said(what), low, high, aspect)
+
+
+def _still_lines(recorder: Recorder, origin: str, extent: Extent) -> None:
+    """Bottom, and the water line on both sides of the hull."""
+    layer = scene.raised(extent.length)
+    scene.lines(recorder, f"{origin}/bottom", [scene.placed(extent.bed, layer)], GREY, 3)
+    ends = [(extent.inlet, extent.hull[0, 0]), (extent.hull[-1, 0], extent.outlet)]
+    water = [np.array([(x, extent.depth) for x in side]) for side in ends]
+    strips = [scene.placed(line, layer) for line in water]
+    scene.lines(recorder, f"{origin}/water_line", strips, SKY, 2)
+
+
+def _hull(recorder: Recorder, origin: str, run: Run, extent: Extent) -> None:
+    """Closed outline that moves by heave; with the snapshots where there are some."""
+    times = run.steps.time if run.fields is None else snapshot_times(run.fields)
+    heave = np.interp(times, run.steps.time, run.data["heave"].values)
+    top = extent.depth + _FREEBOARD * (extent.depth - extent.hull[:, 1].min())
+    deck = [(extent.hull[-1, 0], top), (extent.hull[0, 0], top), tuple(extent.hull[0])]
+    outline = scene.placed(np.concatenate([extent.hull, deck]), scene.raised(extent.length))
+    strips = outline + np.array([0, 0, 1], np.float32) * heave[:, None, None].astype(np.float32)
+    path = f"{origin}/hull"
+    recorder.static(path, scene.look(PALE, 2.5))
+    recorder.rows(path, run.clock(times), rr.LineStrips3D.columns(strips=list(strips)))

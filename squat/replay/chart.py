@@ -1,0 +1,94 @@
+"""Diagrams of one quantity over another: the viewer has time plots only, so axes are drawn."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import rerun as rr
+import rerun.blueprint as rrb
+
+from squat.quantities import Vector
+from squat.replay.recorder import Recorder, entity
+from squat.replay.runs import Clock, Run
+from squat.replay.style import GREY, PALE, rgba, ticks
+
+_WIDTH, _HEIGHT = 160.0, 60.0
+_HANGING = 5.0  # a label hangs so far below its point in the layout
+_MARGIN = (24.0, 8.0, 14.0, 24.0)  # left, right, top, bottom
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Axes of a diagram: its entity, ranges and labels (with units) of x and y."""
+
+    name: str
+    title: str
+    x: tuple[float, float]
+    y: tuple[float, float]
+    x_label: str
+    y_label: str
+
+    def canvas(self, x: Vector, y: Vector) -> Vector:
+        """Points (..., 2) of the 2D view, y downward; what lies outside is cut to the frame."""
+        places = [
+            np.clip((values - low) / (high - low), 0, 1)
+            for values, (low, high) in ((x, self.x), (y, self.y))
+        ]
+        return np.stack([places[0] * _WIDTH, (1 - places[1]) * _HEIGHT], axis=-1)
+
+    def view(self, recorder: Recorder, runs: tuple[Run, ...]) -> rrb.View:
+        """Send the axes, and return the view with the curves of `runs`."""
+        axes = entity(None, "axes", self.name)
+        self._frame(recorder, axes)
+        left, right, top, bottom = _MARGIN
+        paths = [axes, *(entity(run, "profiles", self.name) for run in runs)]
+        return rrb.Spatial2DView(
+            origin=axes,
+            contents=[f"+ /{path}/**" for path in paths],
+            name=self.title,
+            visual_bounds=rrb.VisualBounds2D(
+                x_range=(-left, _WIDTH + right), y_range=(-top, _HEIGHT + bottom)
+            ),
+        )
+
+    def _frame(self, recorder: Recorder, axes: str) -> None:
+        """Frame, grid and numbers."""
+        (x0, x1), (y0, y1) = self.x, self.y
+        across, up = ticks(x0, x1), ticks(y0, y1)
+        box = self.canvas(np.array([x0, x1, x1, x0, x0]), np.array([y0, y0, y1, y1, y0]))
+        grid = [self.canvas(np.full(2, x), np.array(self.y)) for x in across]
+        grid += [self.canvas(np.array(self.x), np.full(2, y)) for y in up]
+        strips = rr.LineStrips2D.columns(
+            strips=[box, *grid],
+            colors=rgba(GREY, *[f"{GREY}55"] * len(grid)),
+            radii=rr.Radius.ui_points([0.75] + [0.4] * len(grid)),
+        )
+        recorder.static(f"{axes}/frame", strips.partition([len(grid) + 1]))
+        below = self.canvas(across, np.full(len(across), y0)) + np.array([0, 1])
+        beside = self.canvas(np.full(len(up), x0), up) - np.array([9, _HANGING])
+        names = [[_WIDTH / 2, _HEIGHT + 11], [_WIDTH / 2, -11]]
+        points = np.concatenate([below, beside, names])
+        texts = [f"{value:g}" for value in (*across, *up)] + [self.x_label, self.y_label]
+        recorder.static(f"{axes}/numbers", _labels(points, texts))
+
+    def curve(
+        self, recorder: Recorder, run: Run, name: str, clock: Clock, lines: list[Vector], color: str
+    ) -> None:
+        """A line for each row of `clock`: points (n, 2) in data coordinates, n of each its own."""
+        strips = [self.canvas(*line.T) for line in lines]
+        path = entity(run, "profiles", self.name, name)
+        style = rr.LineStrips2D.columns(colors=rgba(color), radii=rr.Radius.ui_points([1.0]))
+        recorder.static(path, style)
+        recorder.rows(path, clock, rr.LineStrips2D.columns(strips=strips))
+
+
+def _labels(points: Vector, texts: list[str]) -> rr.ComponentColumnList:
+    """Texts at points of a 2D view."""
+    count = len(points)
+    columns = rr.Points2D.columns(
+        positions=points,
+        labels=texts,
+        colors=rgba(*[PALE] * count),
+        radii=rr.Radius.ui_points([0.0] * count),
+    )
+    shown = rr.Points2D.columns(show_labels=[True])
+    return rr.ComponentColumnList([*columns.partition([count]), *shown])

@@ -1,0 +1,159 @@
+"""The runs of a recording: datasets as read, their labels, clocks and snapshots."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from squat import records
+from squat.errors import InputError
+from squat.piston import Piston
+from squat.piston.piston import Oscillator
+from squat.quantities import Vector
+from squat.records.kinds import PISTON, TRANSIENT
+from squat.water import Water
+
+_SNAPSHOT = {
+    **dict.fromkeys(("x", "z", "velocity_x", "velocity_z", "pressure"), ("time", "node")),
+    "face_node": ("face", "corner"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Clock:
+    """Both time axes of some rows: time [s] and phase omega t [rad], each of shape (rows,)."""
+
+    time: Vector
+    phase: Vector
+
+    def at(self, rows: Any) -> "Clock":
+        """The clock of chosen rows."""
+        return Clock(self.time[rows], self.phase[rows])
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One dataset in a recording.
+
+    Parameters
+    ----------
+    label
+        Name among the runs of a recording; empty where it is the only one.
+    path, data
+        The file and what it holds.
+    fields
+        Its snapshots; None where it has none.
+    """
+
+    label: str
+    path: Path
+    data: xr.Dataset
+    fields: xr.Dataset | None
+
+    @property
+    def kind(self) -> str:
+        """Kind of the dataset: `transient` or `piston`."""
+        return str(self.data.attrs["schema"]).split("/")[1]
+
+    @cached_property
+    def config(self) -> dict[str, Any]:
+        """Configuration that made the run."""
+        return records.config_of(self.data)
+
+    @cached_property
+    def oscillator(self) -> Oscillator:
+        """Masses and stiffness of a piston run."""
+        return Oscillator.of(Piston(**self.config["piston"]), Water(**self.config["water"]))
+
+    @property
+    def omega(self) -> float:
+        """Angular frequency [rad/s] of the phase."""
+        if self.kind == PISTON.name:
+            return self.oscillator.omega
+        return float(self.data["omega"])
+
+    def clock(self, time: Vector) -> Clock:
+        """Both axes at `time` [s]."""
+        return Clock(time, self.omega * time)
+
+    @property
+    def steps(self) -> Clock:
+        """Clock of the accepted steps."""
+        return self.clock(np.asarray(self.data["time"].values, float))
+
+    @property
+    def failure(self) -> Clock | None:
+        """Clock of the step that did not converge; None where every step did."""
+        if not self.data.sizes["failed_iteration"]:
+            return None
+        return self.clock(self.steps.time[-1:] + float(self.data["time_step"]))
+
+    @property
+    def span(self) -> Clock:
+        """Clock of start and end, a step that failed included."""
+        end = self.failure or self.steps.at([-1])
+        return self.clock(np.unique([self.steps.time[0], end.time[0]]))
+
+    def has(self, *names: str) -> bool:
+        """Whether the record holds all these variables."""
+        return all(name in self.data.variables for name in names)
+
+    def said(self, text: str) -> str:
+        """`text` with the run's label where there are several."""
+        return f"{self.label}: {text}" if self.label else text
+
+
+def load(files: tuple[str, ...]) -> tuple[Run, ...]:
+    """Runs of one kind.
+
+    Raises
+    ------
+    InputError
+        Naming the file that is absent, broken, foreign, or of another kind than the first.
+    """
+    paths = [Path(name) for name in files]
+    runs = tuple(_load(path, label) for path, label in zip(paths, labels(paths), strict=True))
+    for run in runs[1:]:
+        if run.kind != runs[0].kind:
+            raise InputError(
+                f"{run.path}: holds {run.kind!r}, {runs[0].path} {runs[0].kind!r}; "
+                "give runs of one task"
+            )
+    return runs
+
+
+def labels(paths: list[Path]) -> list[str]:
+    """Shortest ends of `paths`, without suffix, that differ; empty for a single one."""
+    if len(paths) == 1:
+        return [""]
+    parts = [path.absolute().with_suffix("").parts for path in paths]
+    for depth in range(1, max(map(len, parts)) + 1):
+        found = ["/".join(part[-depth:]) for part in parts]
+        if len(set(found)) == len(found):
+            return found
+    raise InputError(f"run={','.join(map(str, paths))}: one file twice; give each run once")
+
+
+def _load(path: Path, label: str) -> Run:
+    data = records.read(path)
+    kind = str(data.attrs["schema"]).split("/")[1]
+    if kind not in (TRANSIENT.name, PISTON.name):
+        raise InputError(
+            f"{path}: holds {kind!r}, which does not move; "
+            "give a file of squat task=transient or task=piston"
+        )
+    held = kind == TRANSIENT.name and "fields" in records.groups(path)
+    return Run(label, path, data, _snapshots(path) if held else None)
+
+
+def _snapshots(path: Path) -> xr.Dataset:
+    fields = records.read_group(path, "fields")
+    for name, dims in _SNAPSHOT.items():
+        if name not in fields or fields[name].dims != dims:
+            raise InputError(
+                f"{path}: snapshots lack {name!r} over {dims}; run again with snapshots=1"
+            )
+    return fields

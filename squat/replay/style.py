@@ -1,0 +1,47 @@
+"""Colours of the recordings: Okabe and Ito's, in order of contrast on the viewer's ground."""
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.colors import to_rgba_array
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from squat.quantities import Vector
+
+SKY, ORANGE, GREEN, PURPLE, YELLOW, RED, BLUE = (
+    "#56B4E9",
+    "#E69F00",
+    "#009E73",
+    "#CC79A7",
+    "#F0E442",
+    "#D55E00",
+    "#0072B2",
+)
+RUNS = (SKY, ORANGE, GREEN, PURPLE, YELLOW, RED, BLUE)
+"""Colours of compared runs, in turn."""
+GREY, PALE = "#999999", "#DDDDDD"
+COLORMAP = "viridis"
+"""Perceptually uniform, readable without colour vision."""
+
+
+def rgba(*names: str) -> NDArray[np.uint8]:
+    """Colours (n, 4), as rerun takes them, of names or of #RRGGBB[AA]."""
+    return np.asarray(np.round(to_rgba_array(names) * 255), np.uint8)
+
+
+def run_color(number: int) -> str:
+    """Colour of the run of that number, from 0."""
+    return RUNS[number % len(RUNS)]
+
+
+def colors(values: Vector, limits: tuple[float, float]) -> NDArray[np.uint8]:
+    """RGBA (..., 4) of `values`, those beyond `limits` in the colours of its ends."""
+    low, high = limits
+    share = np.clip((np.nan_to_num(values) - low) / (high - low), 0, 1)
+    return np.asarray(mpl.colormaps[COLORMAP](share, bytes=True))
+
+
+def ticks(low: float, high: float, count: int = 6) -> Vector:
+    """Round numbers within [low, high]."""
+    found = np.asarray(MaxNLocator(count, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
+    return np.asarray(found[(found >= low) & (found <= high)])
