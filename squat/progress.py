@@ -3,7 +3,7 @@
 import logging
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from datetime import timedelta
 from typing import TypeVar
 
@@ -19,25 +19,58 @@ def hide() -> None:
     _log.setLevel(logging.WARNING)
 
 
-def progress(items: Iterable[Item], total: int, label: str, initial: int = 0) -> Iterator[Item]:
-    """`items` unchanged, showing on stderr how many of `total` are done, `initial` from before.
+def progress(
+    items: Iterable[Item],
+    total: int,
+    label: str,
+    initial: int = 0,
+    note: Callable[[], str] = str,
+    log: logging.Logger = _log,
+) -> Iterator[Item]:
+    """`items` unchanged, showing on stderr how many of `total` are done.
 
-    Log level warning hides it.
+    Parameters
+    ----------
+    initial
+        How many were done before.
+    note
+        What else to say, asked after each item.
+    log
+        Its level warning hides all.
     """
-    if not _log.isEnabledFor(logging.INFO):
+    if not log.isEnabledFor(logging.INFO):
         yield from items
     elif sys.stderr.isatty():
-        yield from tqdm(items, total=total, desc=label, leave=False, initial=initial)
+        yield from _bar(items, total, label, initial, note)
     else:
-        yield from _lines(items, total, label, initial)
+        yield from _lines(items, total, label, initial, note, log)
 
 
-def _lines(items: Iterable[Item], total: int, label: str, initial: int) -> Iterator[Item]:
+def _bar(
+    items: Iterable[Item], total: int, label: str, initial: int, note: Callable[[], str]
+) -> Iterator[Item]:
+    with tqdm(total=total, desc=label, leave=False, initial=initial) as bar:
+        for item in items:
+            yield item
+            bar.set_postfix_str(note(), refresh=False)
+            bar.update()
+
+
+def _lines(
+    items: Iterable[Item],
+    total: int,
+    label: str,
+    initial: int,
+    note: Callable[[], str],
+    log: logging.Logger,
+) -> Iterator[Item]:
     begin, shown = time.monotonic(), initial * _LINES // total
     for done, item in enumerate(items, initial + 1):
+        yield item
         if done * _LINES // total > shown:
             shown = done * _LINES // total
             left = (time.monotonic() - begin) / (done - initial) * (total - done)
-            clock = timedelta(seconds=round(left))
-            _log.info("%s: %d of %d, %s left", label, done, total, clock)
-        yield item
+            words = [f"{label}: {done} of {total}", note()]
+            if done < total:
+                words.append(f"{timedelta(seconds=round(left))} left")
+            log.info("%s", ", ".join(filter(None, words)))

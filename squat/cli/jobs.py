@@ -1,36 +1,166 @@
-"""Failed jobs of a multirun: none stops the others, all are named at the end."""
+"""A multirun as a whole: its jobs by name, their progress in one place, the failed ones."""
 
+import logging
+import os
+import re
+import tempfile
+import threading
 import time
+import traceback
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
+from hydra import compose, initialize_config_dir
+from hydra._internal.config_loader_impl import get_overrides_dirname
+from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
+from hydra.core.global_hydra import GlobalHydra
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.core.utils import JobReturn
 from hydra.experimental.callback import Callback
 from omegaconf import DictConfig
 
-FAILED = "failed.txt"
-"""File in a job's folder that says why the job failed."""
+from squat import sweeps
+from squat.cli.messages import start_logging
+from squat.config import CONF
+from squat.errors import InputError
+from squat.progress import hide, progress
+
+Outcome = Literal["done", "skipped", "failed"]
+_NUMBER = re.compile(r"[-+.\deE]+")
+_log = logging.getLogger(__name__)
+_LOOK = 0.2
+"""Seconds between two looks at what has ended."""
 
 
-_CLOCK = 0.01  # s, coarseness of file times
+def check(overrides: Sequence[str]) -> None:
+    """Refuse a multirun with a choice that does not exist, before any of its jobs begins."""
+    with initialize_config_dir(str(CONF), version_base="1.3"):
+        jobs = _combinations([word for word in overrides if not word.startswith("hydra")])
+        tasks = sorted({word for job in jobs for word in job if word.startswith("task=")})
+        if len(tasks) > 1:
+            raise InputError(f"{' '.join(tasks)}: a multirun has one task; start one for each")
+        seen: set[str] = set()
+        for job in jobs:
+            new = {word for word in job if not _NUMBER.fullmatch(word.partition("=")[2])} - seen
+            if new:
+                compose("config", job)
+                seen |= new
 
 
-class Failures(Callback):
-    """Tells `main`, in its process, whether any job failed, in whatever process."""
+def _combinations(overrides: Sequence[str]) -> list[list[str]]:
+    """Overrides of each job of a multirun, in Hydra's order."""
+    parser = OverridesParser.create(GlobalHydra.instance().config_loader())
+    parsed = parser.parse_overrides(list(overrides))
+    return [job for batch in BasicSweeper.split_arguments(parsed, None) for job in batch]
 
-    found: ClassVar[bool] = False
+
+class Jobs(Callback):
+    """Hydra's callback; the start and the end are called in the main process, jobs in workers."""
+
+    failed: ClassVar[bool] = False
     job_started: ClassVar[bool] = False
-    since: ClassVar[float] = 0.0
+    outcome: ClassVar[Outcome] = "done"
+    _board: ClassVar["Board | None"] = None
+
+    def __init__(self) -> None:
+        self.main = os.getpid()
+        self.marks = ""
 
     @classmethod
     def reset(cls) -> None:
         """Forget earlier runs of this process."""
-        cls.found = cls.job_started = False
+        cls.failed = cls.job_started = False
 
     def on_multirun_start(self, config: DictConfig, **kwargs: Any) -> None:
-        """Note the time: older failures in the same folder are another sweep's."""
-        Failures.since = time.time()
+        """Write the plan, and watch the jobs end."""
+        start_logging(config.log_level)
+        named = _named(config)
+        sweeps.write_plan(Path(config.hydra.sweep.dir), config.task, named)
+        Jobs._board = Board(len(named))
+        self.marks = Jobs._board.folder.name
 
-    def on_multirun_end(self, config: DictConfig, **kwargs: Any) -> None:
-        """Look through the job folders of the sweep."""
-        notes = Path(config.hydra.sweep.dir).glob(f"**/{FAILED}")
-        Failures.found = any(note.stat().st_mtime >= Failures.since - _CLOCK for note in notes)
+    def on_job_start(self, config: DictConfig, **kwargs: Any) -> None:
+        """One job of many shows no progress of its own, and does not outlive the main process."""
+        if not self.marks:
+            return
+        hide()
+        if os.getpid() != self.main:
+            threading.Thread(target=_die_with, args=(self.main,), daemon=True).start()
+
+    def on_job_end(self, config: DictConfig, job_return: JobReturn, **kwargs: Any) -> None:
+        """Mark the end where the main process looks."""
+        if self.marks:
+            (Path(self.marks) / f"{config.hydra.job.num}.{Jobs.outcome}").touch()
+
+    @classmethod
+    def finish(cls) -> None:
+        """Stop watching; note whether any job failed."""
+        if cls._board is not None:
+            cls.failed = cls._board.close() or cls.failed
+            cls._board = None
+
+
+def _named(config: DictConfig) -> dict[str, list[str]]:
+    """Overrides of each job by the name of its folder."""
+    style = config.hydra.job.config.override_dirname
+    names = {}
+    for job in _combinations(list(config.hydra.overrides.task)):
+        parsed = OverridesParser.create().parse_overrides(job)
+        name = get_overrides_dirname(parsed, list(style.exclude_keys), style.item_sep, style.kv_sep)
+        names[name or "."] = job
+    return names
+
+
+def _die_with(process: int) -> None:
+    """End this worker when the main process is gone: a second sweep may already have begun."""
+    while os.getppid() == process:
+        time.sleep(_LOOK)
+    os._exit(1)
+
+
+class Board:
+    """Where jobs mark their ends, in whatever process, and a thread that shows how many have."""
+
+    def __init__(self, total: int) -> None:
+        self.folder = tempfile.TemporaryDirectory(prefix="squat-")
+        self._total = total
+        self._seen: set[str] = set()
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._show, daemon=True)
+        self._thread.start()
+
+    def close(self) -> bool:
+        """Show the last jobs; return whether any failed."""
+        self._over.set()
+        self._thread.join()
+        failed = bool(list(Path(self.folder.name).glob("*.failed")))
+        self.folder.cleanup()
+        return failed
+
+    def _show(self) -> None:
+        for _ in progress(self._ends(), self._total, "jobs", note=self._note, log=_log):
+            pass
+
+    def _note(self) -> str:
+        """How many were skipped or failed."""
+        counts = Counter(name.partition(".")[2] for name in self._seen)
+        return ", ".join(f"{counts[word]} {word}" for word in ("skipped", "failed") if counts[word])
+
+    def _ends(self) -> Iterator[str]:
+        seen = self._seen
+        while len(seen) < self._total:
+            last = self._over.wait(_LOOK)
+            marks = {mark.name for mark in Path(self.folder.name).iterdir()}
+            for name in sorted(marks - seen):
+                seen.add(name)
+                yield name
+            if last:
+                return
+
+
+def note_failure(folder: Path, error: Exception, line: str, expected: bool) -> None:
+    """Leave the reason in the job's folder; of an error that nobody expected, all of it."""
+    trace = "" if expected else "".join(traceback.format_exception(error))
+    (folder / sweeps.FAILED).write_text(f"{line}\n{trace}", encoding="utf-8")

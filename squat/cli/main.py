@@ -10,18 +10,21 @@ import hydra
 from hydra._internal.utils import get_args_parser
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
+from joblib.externals.loky.process_executor import TerminatedWorkerError
 from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
 import squat
 from squat.cli.arguments import with_lists
-from squat.cli.jobs import FAILED, Failures
-from squat.cli.messages import condense
-from squat.cli.tasks import run_task
+from squat.cli.jobs import FAILED, Jobs, check, note_failure
+from squat.cli.messages import condense, start_logging
+from squat.cli.tasks import is_done, output, run_task
 from squat.config import CONF, validate
 from squat.config.compose import plain
 from squat.errors import InputError
+from squat.sweeps import FAILED
 
+_log = logging.getLogger(__name__)
 BAD_INPUT = 2
 INTERRUPTED = 130
 _ANY_TASK = "task=piston"  # Hydra composes before it prints its help, and a task is mandatory
@@ -30,7 +33,7 @@ _ANY_TASK = "task=piston"  # Hydra composes before it prints its help, and a tas
 def main() -> None:
     """Run `squat`; exit code 0 for any result, 2 for bad input."""
     os.environ["HYDRA_FULL_ERROR"] = "1"  # errors reach this function, not Hydra's printer
-    Failures.reset()
+    Jobs.reset()
     if sys.argv[1:] == ["--version"]:
         print(f"squat {squat.__version__}")
         return
@@ -40,12 +43,17 @@ def main() -> None:
         _entry()
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
+    except TerminatedWorkerError:
+        _report("a job was killed, for want of memory perhaps; the same command goes on from here")
+        sys.exit(BAD_INPUT)
     except Exception as error:
-        if Failures.job_started:
+        if Jobs.job_started:
             raise  # a bug, not bad input: its traceback is wanted
         _report(condense(error, sys.argv[1:]))
         sys.exit(BAD_INPUT)
-    if Failures.found:
+    finally:
+        Jobs.finish()
+    if Jobs.failed:
         sys.exit(BAD_INPUT)
 
 
@@ -58,6 +66,8 @@ def _check_options(arguments: list[str]) -> None:
     parser = get_args_parser()
     parser.error = refuse  # type: ignore[method-assign]
     options = parser.parse_args(arguments)
+    if options.multirun:
+        check(options.overrides)
     if options.help and not any(word.startswith("task=") for word in arguments):
         sys.argv.append(_ANY_TASK)
 
@@ -65,32 +75,40 @@ def _check_options(arguments: list[str]) -> None:
 @hydra.main(version_base="1.3", config_path=str(CONF), config_name="config")
 def _entry(config: DictConfig) -> None:
     job = HydraConfig.get()
-    folder = Path(job.runtime.output_dir)
+    folder = Path(os.path.relpath(job.runtime.output_dir))
     multirun = job.mode == RunMode.MULTIRUN
-    Failures.job_started = True
+    Jobs.job_started, Jobs.outcome = True, "done"
     try:
         _run(config, folder, multirun)
-    except (InputError, OmegaConfBaseException) as error:
+    except Exception as error:
+        expected = isinstance(error, (InputError, OmegaConfBaseException))
+        if not (expected or multirun):
+            raise
         line = condense(error, sys.argv[1:])
+        if not expected:
+            line = f"unexpected {type(error).__name__}: {error}"
         if multirun:
-            (folder / FAILED).write_text(line + "\n", encoding="utf-8")
+            note_failure(folder, error, line, expected)
             line = f"{folder.name}: {line}"
-        Failures.found = True
+        Jobs.failed, Jobs.outcome = True, "failed"
         _report(line)
 
 
 def _run(config: DictConfig, folder: Path, multirun: bool) -> None:
     valid = validate(plain(config))
-    level = valid.settings.log_level.upper()
-    logging.basicConfig(format="%(levelname)s %(message)s", level=level, force=True)
-    logging.getLogger("skfem").setLevel(logging.WARNING)  # it reports every basis at INFO
+    start_logging(valid.settings.log_level)
     out = valid.settings.out
+    path = output(valid, folder if multirun else Path())
     if multirun:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / FAILED).unlink(missing_ok=True)
         if out is not None and Path(out).is_absolute():
             raise InputError(f"out={out}: every job would write it; give a relative path")
-    run_task(valid, folder if multirun else Path())
+        (folder / FAILED).unlink(missing_ok=True)
+        if not valid.settings.redo and is_done(valid, path):
+            Jobs.outcome = "skipped"
+            _log.info("%s: complete, skipped; redo=true makes it again", path)
+            return
+    run_task(valid, path)
 
 
 def _report(line: str) -> None:

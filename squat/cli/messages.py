@@ -1,6 +1,8 @@
-"""Hydra's and OmegaConf's many-line errors, said in one."""
+"""What is said on stderr: the log, and Hydra's and OmegaConf's many-line errors in one."""
 
+import logging
 import re
+import sys
 from collections.abc import Sequence
 
 from hydra.errors import OverrideParseException
@@ -19,6 +21,15 @@ _KNOWN = {
     r"You must specify '(?P<key>[^']+)'": "{key}: missing; give {key}=NAME, one of {choices}",
     r"Missing mandatory value: (?P<key>\S+)": "{key}: missing; give {key}=VALUE",
 }
+
+
+def start_logging(level: str) -> None:
+    """Log to stderr from `level` (of the key log_level) on."""
+    logging.basicConfig(
+        format="%(levelname)s %(message)s", level=level.upper(), stream=sys.stderr, force=True
+    )
+    for chatty in ("skfem", "hydra_plugins"):  # every basis, every job's overrides
+        logging.getLogger(chatty).setLevel(logging.WARNING)
 
 
 def condense(error: Exception, arguments: Sequence[str]) -> str:

@@ -7,8 +7,23 @@ from pathlib import Path
 from typing import Any
 
 import xarray as xr
+from hydra.errors import HydraException
+from omegaconf.errors import OmegaConfBaseException
 
-from squat import analysis, catalogue, figures, piston, race, records, reduced, report, transient
+from squat import (
+    analysis,
+    catalogue,
+    figures,
+    piston,
+    race,
+    records,
+    reduced,
+    report,
+    sweeps,
+    transient,
+)
+from squat.cli.messages import condense
+from squat.config import compose
 from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.fluid import inertia, sensitivity
@@ -33,6 +48,17 @@ def _replay(case: Any, path: Path) -> None:
     write_replay(case, path)
 
 
+def _collect(case: Any) -> xr.Dataset:
+    return sweeps.collect(case, _compose)
+
+
+def _compose(task: str, *overrides: str) -> dict[str, Any]:
+    try:
+        return compose(task, *overrides)
+    except (HydraException, OmegaConfBaseException) as error:
+        raise InputError(condense(error, overrides)) from error
+
+
 DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "piston": piston.run,
     "iterations": piston.study,
@@ -45,6 +71,7 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "inertia": inertia.run,
     "sensitivity": sensitivity.run,
     "race": race.run,
+    "collect": _collect,
 }
 TASKS = (*DATASETS, "reduced", "transient")
 """Tasks that make a dataset."""
@@ -60,14 +87,30 @@ FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
 }
 
 
-def run_task(valid: Valid, folder: Path) -> None:
-    """Run the task and write its output below `folder` (unless `out` is absolute)."""
+def output(valid: Valid, folder: Path) -> Path:
+    """File that the task writes, below `folder` unless `out` is absolute."""
     task = valid.settings.task
-    suffix, write = FILES.get(task, (".nc", None))
+    suffix, _ = FILES.get(task, (".nc", None))
     path = folder / (valid.settings.out or f"{task}{suffix}")
     if path.suffix != suffix:
         raise InputError(f"out={path}: must end in {suffix}; task={task} writes no other")
-    started = time.perf_counter()
+    return path
+
+
+def is_done(valid: Valid, path: Path) -> bool:
+    """Whether `path` holds the whole dataset that this very configuration makes."""
+    if valid.settings.task in FILES or not path.is_file():
+        return False
+    try:
+        return records.is_answer(records.read(path), valid.config)
+    except InputError:
+        return False
+
+
+def run_task(valid: Valid, path: Path) -> None:
+    """Run the task and write `path`."""
+    task, started = valid.settings.task, time.perf_counter()
+    _, write = FILES.get(task, (".nc", None))
     if write is not None:
         write(valid.case, path)
         _log.info("%s: written", path)

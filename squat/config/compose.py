@@ -1,10 +1,12 @@
 """Compose a configuration from `conf/` and overrides."""
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
 from hydra import compose as hydra_compose
 from hydra import initialize_config_dir
+from hydra.core.global_hydra import GlobalHydra
 from omegaconf import DictConfig, OmegaConf
 
 import squat
@@ -29,5 +31,6 @@ def plain(config: DictConfig) -> dict[str, Any]:
 
 def compose(task: str, *overrides: str) -> dict[str, Any]:
     """Configuration of `squat task=<task> <overrides>` as plain containers."""
-    with initialize_config_dir(str(CONF), version_base="1.3"):
+    within = GlobalHydra.instance().is_initialized()  # the command line's own Hydra
+    with nullcontext() if within else initialize_config_dir(str(CONF), version_base="1.3"):
         return plain(hydra_compose("config", [f"task={task}", *overrides]))

@@ -27,6 +27,7 @@ from squat.replay import ReplayCase
 from squat.report import ReportCase
 from squat.stability.case import LimitsCase, LimitsMapCase, StabilityCase
 from squat.stability.run import EquilibriaCase
+from squat.sweeps import CollectCase
 from squat.transient import TransientCase
 
 CASES: dict[str, type] = {
@@ -51,6 +52,7 @@ CASES: dict[str, type] = {
     "compare": CompareCase,
     "report": ReportCase,
     "replay": ReplayCase,
+    "collect": CollectCase,
 }
 
 

@@ -1,7 +1,7 @@
 """Datasets on disk: self-describing, written whole or not at all, checked when read."""
 
 from squat.records.files import atomic, claim, groups, read, read_group, save, save_table, stamp
-from squat.records.identity import identity, strict_identity
+from squat.records.identity import identity, is_answer, strict_identity
 from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
 from squat.records.schema import Kind, Variable, build
@@ -18,6 +18,7 @@ __all__ = [
     "config_of",
     "groups",
     "identity",
+    "is_answer",
     "plain",
     "read",
     "read_group",

@@ -1,5 +1,6 @@
 """Reading and writing: whole files only, errors of one line."""
 
+import io
 import os
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -103,11 +104,13 @@ def save(
     """
     stamped = stamp(dataset, config, started)
     no_fill = {name: {"_FillValue": None} for name in stamped.variables}
+    whole = io.BytesIO()  # HDF5 on a full disk fails in many lines, or takes the process along
+    stamped.to_netcdf(whole, engine="h5netcdf", encoding=no_fill)
+    for name, group in (groups or {}).items():
+        packed = dict.fromkeys(group.data_vars, _PACKED)
+        group.to_netcdf(whole, engine="h5netcdf", group=name, mode="a", encoding=packed)
     with atomic(path) as temporary:
-        stamped.to_netcdf(temporary, engine="h5netcdf", encoding=no_fill)
-        for name, group in (groups or {}).items():
-            packed = dict.fromkeys(group.data_vars, _PACKED)
-            group.to_netcdf(temporary, engine="h5netcdf", group=name, mode="a", encoding=packed)
+        temporary.write_bytes(whole.getbuffer())
 
 
 def save_table(frame: pd.DataFrame, path: Path) -> None:

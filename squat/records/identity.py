@@ -1,15 +1,16 @@
 """When two runs are the same run: for jobs that need not be done again, and for restarts."""
 
 import hashlib
+import json
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-import h5netcdf
+import xarray as xr
 
 import squat
-from squat.records.provenance import versions
+from squat.records.provenance import config_of, inputs, versions
 
 HOUSEKEEPING = ("out", "log_level", "redo")
 """Keys that change no number of a run."""
@@ -25,24 +26,19 @@ def identity(config: Mapping[str, Any]) -> dict[str, Any]:
     return {"config": kept, "inputs": inputs(config), "squat": squat.__version__}
 
 
+def is_answer(dataset: xr.Dataset, config: Mapping[str, Any]) -> bool:
+    """Whether `dataset`, as `read`, has the identity of `config`: a run of it would be in vain."""
+    made = {
+        "config": {key: v for key, v in config_of(dataset).items() if key not in HOUSEKEEPING},
+        "inputs": json.loads(dataset.attrs.get("inputs", "{}")),
+        "squat": json.loads(dataset.attrs["versions"]).get("squat"),
+    }
+    return bool(made == json.loads(json.dumps(identity(config))))
+
+
 def strict_identity(config: Mapping[str, Any]) -> dict[str, Any]:
     """`identity` with the code and the libraries: half a run must not go on with other ones."""
     return {**identity(config), "code": _code(), "versions": versions()}
-
-
-def inputs(config: Mapping[str, Any]) -> dict[str, str]:
-    """SHA-256 of the values in each file below the key `inputs`; empty where unreadable."""
-    named = config.get("inputs")
-    files = named if isinstance(named, Mapping) else {}
-    return {key: _content(Path(name)) for key, name in files.items() if name is not None}
-
-
-def _content(path: Path) -> str:
-    try:
-        with h5netcdf.File(path, "r") as file:
-            return str(file.attrs.get("content_sha256", ""))
-    except OSError:
-        return ""  # whoever reads the file says what is wrong with it
 
 
 @cache

@@ -5,6 +5,7 @@ from dataclasses import replace
 from squat.records.coupling_kinds import COUPLED, RACE
 from squat.records.schema import Kind, Variable
 from squat.records.stability_kinds import LIMITS, LIMITS_MAP, STABILITY
+from squat.records.sweep import SWEEP
 
 _TIME = ("time",)
 
@@ -323,5 +324,6 @@ _ALL = (
     LIMITS,
     LIMITS_MAP,
     RACE,
+    SWEEP,
 )
 KINDS = {kind.name: kind for kind in _ALL}

@@ -13,6 +13,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import h5netcdf
 import numpy as np
 import xarray as xr
 from pydantic import TypeAdapter
@@ -57,10 +58,26 @@ def attributes(config: Mapping[str, Any], started: float) -> dict[str, str | flo
         "source": f"squat {squat.__version__}",
         "references": PAPER,
         "config": json.dumps(config),
+        "inputs": json.dumps(inputs(config)),
         "versions": json.dumps(versions()),
         "git_revision": revision(),
         "wall_time": round(time.perf_counter() - started, 6),
     }
+
+
+def inputs(config: Mapping[str, Any]) -> dict[str, str]:
+    """SHA-256 of the values in each file below the key `inputs`; empty where unreadable."""
+    named = config.get("inputs")
+    files = named if isinstance(named, Mapping) else {}
+    return {key: _content(Path(name)) for key, name in files.items() if name is not None}
+
+
+def _content(path: Path) -> str:
+    try:
+        with h5netcdf.File(path, "r") as file:
+            return str(file.attrs.get("content_sha256", ""))
+    except OSError:
+        return ""  # whoever reads the file says what is wrong with it
 
 
 def config_of(dataset: xr.Dataset) -> dict[str, Any]:

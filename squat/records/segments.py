@@ -88,7 +88,7 @@ class Segments:
         return self.folder / f"{begin:09d}.npz"
 
     def _load(self, path: Path) -> Segment:
-        with np.load(path, allow_pickle=False) as file:
+        with path.open("rb") as handle, np.load(handle, allow_pickle=False) as file:
             text = str(file["header"])
             leaves = [file[f"leaf{i}"] for i in range(len(file.files) - 2)]
             if str(file["digest"]) != _digest(text, leaves):

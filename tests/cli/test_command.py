@@ -60,6 +60,31 @@ def test_multirun_names_failed_jobs_and_keeps_the_others(squat, tmp_path):
     assert list(find([tmp_path])["piston.mass_ratio"]) == [0.5, 2]
 
 
+def test_a_complete_job_is_skipped_and_a_broken_one_done_again_unless_redo_asks(squat, tmp_path):
+    command = "-m", "task=piston", "piston.mass_ratio=0.5,2", "hydra.launcher.n_jobs=1"
+    whole, broken = (
+        tmp_path / f"multirun/piston/piston.mass_ratio-{r}/piston.nc" for r in (2, 0.5)
+    )
+    assert squat(*command).returncode == 0
+    before = whole.read_bytes()
+    broken.write_bytes(before[:-100])
+    again = squat(*command).stderr
+    assert again.count("complete, skipped") == 1
+    assert "jobs: 2 of 2, 1 skipped" in again
+    assert whole.read_bytes() == before
+    assert read(broken).attrs["status"] == "converged"
+    assert "skipped" not in squat(*command, "redo=true").stderr
+
+
+def test_a_multirun_refuses_unknown_choices_and_several_tasks_before_it_starts(squat, tmp_path):
+    done = squat("-m", "task=piston", "accelerator=none,nonsense")
+    assert done.returncode == 2
+    assert done.stderr.startswith("squat: accelerator=nonsense: unknown; give one of")
+    done = squat("-m", "task=piston,equilibria")
+    assert "a multirun has one task" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_help_config_and_completion_work(squat):
     shown = squat("--help")
     assert shown.returncode == 0

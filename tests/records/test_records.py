@@ -9,7 +9,7 @@ import xarray as xr
 from squat import records
 from squat.errors import InputError
 from squat.piston import run
-from squat.records import KINDS, build, read, save
+from squat.records import KINDS, build, is_answer, read, save
 from squat.records.kinds import EQUILIBRIA, PISTON
 from squat.records.provenance import digest
 
@@ -120,3 +120,19 @@ def test_build_refuses_what_the_kind_does_not_allow():
 
 def test_same_run_gives_the_same_physics(case):
     assert digest(run(case("piston"))) == digest(run(case("piston")))
+
+
+def test_a_dataset_answers_only_the_configuration_inputs_and_version_that_made_it(
+    dataset, path, tmp_path
+):
+    config = {"task": "piston", "value": 1.0, "out": "a.nc", "inputs": {"mesh": str(path)}}
+    made = tmp_path / "made.nc"
+    save(dataset, made, config, 0.0)
+    assert is_answer(read(made), {**config, "out": "b.nc", "log_level": "debug", "redo": True})
+    assert not is_answer(read(made), {**config, "value": 1.5})
+    save(dataset, path, {"task": "piston"}, 5.0)  # the same values, written again
+    assert is_answer(read(made), config)
+    save(dataset.isel(time=slice(3)), path, {"task": "piston"}, 0.0)
+    assert not is_answer(read(made), config)
+    older = read(made).assign_attrs(versions=json.dumps({"squat": "0.0.1"}))
+    assert not is_answer(older, {**config, "inputs": {}})

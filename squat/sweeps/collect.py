@@ -1,0 +1,137 @@
+"""The datasets of a sweep as one, whose dimensions are the swept parameters."""
+
+import itertools
+import json
+import logging
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from pydantic.dataclasses import dataclass
+
+from squat import records
+from squat.errors import InputError
+from squat.quantities import STRICT
+from squat.records.identity import HOUSEKEEPING
+from squat.records.kinds import KINDS
+from squat.records.sweep import SWEEP, joined_kind
+from squat.sweeps.axes import Axis, axes_of
+from squat.sweeps.jobs import Compose, Job, find, kind_of
+from squat.sweeps.stack import stack
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class CollectCase:
+    """Which runs to join.
+
+    Parameters
+    ----------
+    runs
+        Folder of a multirun, `multirun/<task>`, or any folder of datasets of one kind.
+    """
+
+    runs: str
+
+
+def collect(case: CollectCase, compose: Compose) -> xr.Dataset:
+    """Dataset of kind `sweep`.
+
+    Parameters
+    ----------
+    compose
+        Makes a configuration from a task and overrides: for jobs that left no dataset.
+
+    Raises
+    ------
+    InputError
+        Where the folder holds no dataset, or datasets of several kinds or of the same parameters.
+    """
+    jobs = find(Path(case.runs), compose)
+    kinds = sorted({kind_of(job.dataset) for job in jobs if job.dataset is not None})
+    if len(kinds) > 1:
+        raise InputError(f"runs={case.runs}: holds {' and '.join(kinds)}; give runs of one kind")
+    source = KINDS[kinds[0]]
+    placed = [job for job in jobs if job.config is not None]
+    dims = {dim for variable in source.variables.values() for dim in variable.dims}
+    axes = axes_of(placed, {*source.variables, *dims, *SWEEP.variables})
+    cells = _cells(placed, axes, case.runs)
+    shape = tuple(len(axis.values) for axis in axes)
+    datasets = {place: job.dataset for place, job in cells.items() if job.dataset is not None}
+    variables, data = stack(source, datasets, [axis.name for axis in axes], shape)
+    kind = joined_kind(variables, {axis.name: axis.key for axis in axes})
+    data |= {axis.name: np.array(axis.values) for axis in axes}
+    data |= _labels(cells, shape)
+    own = {name: [list(variable.dims), variable.units] for name, variable in variables.items()}
+    return records.build(
+        kind,
+        data,
+        {
+            "joined": json.dumps({"schema": source.label, "variables": own}),
+            "axes": json.dumps({axis.name: axis.key for axis in axes}),
+            "common_config": json.dumps(_common([job.config for job in placed])),
+            **_lost(jobs, cells, axes),
+        },
+    )
+
+
+def _cells(jobs: Sequence[Job], axes: Sequence[Axis], runs: str) -> dict[tuple[int, ...], Job]:
+    cells: dict[tuple[int, ...], Job] = {}
+    for job in jobs:
+        place = tuple(axis.values.index(axis.of[job.name]) for axis in axes)
+        if place in cells:
+            raise InputError(
+                f"runs={runs}: {cells[place].name} and {job.name} have the same parameters; "
+                "keep one"
+            )
+        cells[place] = job
+    return cells
+
+
+def _labels(cells: Mapping[tuple[int, ...], Job], shape: tuple[int, ...]) -> dict[str, Any]:
+    status, name, failure = (np.full(shape, word, object) for word in ("missing", "", ""))
+    for place, job in cells.items():
+        status[place], name[place], failure[place] = job.status, job.name, job.failure
+    return {
+        "job_status": status.astype(str),
+        "job_name": name.astype(str),
+        "job_failure": failure.astype(str),
+    }
+
+
+def _common(configs: Sequence[Any]) -> Any:
+    """What all configurations share."""
+    first = configs[0]
+    if all(isinstance(config, Mapping) for config in configs):
+        shared = [
+            key
+            for key in first
+            if key not in HOUSEKEEPING and all(key in config for config in configs)
+        ]
+        inner = {key: _common([config[key] for config in configs]) for key in shared}
+        return {key: value for key, value in inner.items() if value is not None}
+    return first if all(config == first for config in configs) else None
+
+
+def _lost(
+    jobs: Sequence[Job], cells: Mapping[tuple[int, ...], Job], axes: Sequence[Axis]
+) -> dict[str, str]:
+    """Names of the failed and the missing jobs, said aloud too."""
+    failed = {job.name: job.failure for job in jobs if job.status == "failed"}
+    missing = [job.name for job in jobs if job.status == "missing"]
+    for place in itertools.product(*(range(len(axis.values)) for axis in axes)):
+        if place not in cells:
+            words = zip(axes, place, strict=True)
+            missing.append(" ".join(f"{axis.key}={_plain(axis.values[n])}" for axis, n in words))
+    for name, reason in failed.items():
+        _log.warning("%s: failed: %s", name, reason)
+    for name in missing:
+        _log.warning("%s: missing", name)
+    return {"failed": json.dumps(failed), "missing": json.dumps(missing)}
+
+
+def _plain(value: float | str) -> str:
+    return f"{value:g}" if isinstance(value, float) else value

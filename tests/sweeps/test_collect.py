@@ -1,0 +1,201 @@
+"""A multirun joined into one: every number where its parameters say, nothing lost unsaid."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from squat.config import compose, validate
+from squat.errors import InputError
+from squat.piston import run
+from squat.records import read, save
+from squat.stability.run import run as equilibria
+from squat.sweeps import FAILED, CollectCase, collect, write_plan
+
+
+@pytest.fixture
+def job(tmp_path):
+    """Write the dataset of one job as a multirun does."""
+
+    def write(name, *overrides, task="piston", make=run):
+        config = compose(task, *overrides)
+        dataset = make(validate(config).case)
+        path = tmp_path / name / f"{task}.nc"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        save(dataset, path, config, 0.0)
+        return dataset
+
+    return write
+
+
+@pytest.fixture
+def joined(tmp_path):
+    def make():
+        return collect(CollectCase(runs=str(tmp_path)), compose)
+
+    return make
+
+
+SHORT = "time.periods=0.1"
+
+
+def test_every_value_stands_where_its_parameters_say(job, joined):
+    made = {
+        (ratio, scheme): job(
+            f"{ratio}{scheme}", SHORT, f"piston.mass_ratio={ratio}", f"scheme={scheme}"
+        )
+        for ratio in (2, 0.5, 0.7)
+        for scheme in ("standard", "corrected")
+    }
+    sweep = joined()
+    assert list(sweep["mass_ratio"].values) == [0.5, 0.7, 2]
+    assert json.loads(sweep.attrs["axes"]) == {
+        "mass_ratio": "piston.mass_ratio",
+        "scheme": "scheme",
+    }
+    for (ratio, scheme), one in made.items():
+        cell = sweep.sel(mass_ratio=ratio, scheme=scheme)
+        assert cell["job_status"] == one.attrs["status"]
+        for name, variable in one.variables.items():
+            found = cell[name].values
+            inside = tuple(slice(n) for n in variable.shape)
+            assert np.array_equal(found[inside], variable.values, equal_nan=True), name
+            outside = np.ones(found.shape, bool)
+            outside[inside] = False
+            assert np.isnan(found[outside]).all(), name
+    assert json.loads(sweep.attrs["missing"]) == []
+
+
+def test_a_coordinate_stays_one_dimensional_only_where_all_jobs_agree(job, joined):
+    job("a", SHORT)
+    job("b", "time.periods=0.2")
+    assert joined()["time"].dims == ("time",)
+    assert joined().sizes["time"] == 15
+    job("c", SHORT, "piston.length=2")
+    sweep = joined()
+    assert sweep["time"].dims == ("length", "periods", "time_index")
+    assert float(sweep["time"].sel(length=2, periods=0.1)[1]) == pytest.approx(
+        float(sweep["time_step"].sel(length=2, periods=0.1))
+    )
+
+
+def test_a_choice_is_one_parameter_with_its_name_as_label(job, joined):
+    job("a", SHORT)
+    job("b", SHORT, "accelerator=aitken")
+    job("c", SHORT, "accelerator=relaxation", "accelerator.factor=0.4")
+    sweep = joined()
+    assert json.loads(sweep.attrs["axes"]) == {"accelerator": "accelerator"}
+    assert set(sweep["accelerator"].values) == {"none", "aitken", "relaxation"}
+    job("d", SHORT, "accelerator=relaxation", "accelerator.factor=0.5")
+    assert set(joined().sizes) >= {"accelerator", "factor"}
+    assert joined()["job_name"].sel(accelerator="relaxation", factor="0.5") == "d"
+
+
+def test_a_choice_without_a_name_is_labelled_by_the_plan(job, joined, tmp_path):
+    plan = {name: ["task=equilibria", f"channel={name}"] for name in ("paper", "fig7")}
+    for name in plan:
+        job(name, f"channel={name}", task="equilibria", make=equilibria)
+    write_plan(tmp_path, "equilibria", plan)
+    sweep = joined()
+    assert json.loads(sweep.attrs["axes"]) == {"channel": "channel"}
+    assert list(sweep["channel"].values) == ["paper", "fig7"]
+
+
+def test_failed_and_missing_jobs_are_named_and_have_their_place(job, joined, tmp_path, caplog):
+    plan = {
+        f"r{ratio}s{n}": ["task=piston", SHORT, f"piston.mass_ratio={ratio}", f"scheme={scheme}"]
+        for ratio in ("-1", "0.5", "2")
+        for n, scheme in enumerate(("standard", "corrected"))
+    }
+    write_plan(tmp_path, "piston", plan)
+    for name in ("r0.5s0", "r0.5s1"):
+        job(name, *plan[name][1:])
+    for name in ("r-1s0", "r-1s1"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / FAILED).write_text("piston.mass_ratio=-1: must be greater than 0\n")
+    (tmp_path / "r2s0").mkdir()
+    (tmp_path / "r2s0" / "piston.nc").write_text("cut short")
+    sweep = joined()
+    status = sweep["job_status"]
+    assert sweep.sizes["mass_ratio"] == 3
+    assert (status.sel(mass_ratio=-1) == "failed").all()
+    assert status.sel(mass_ratio=2, scheme="corrected") == "missing"
+    assert np.isnan(sweep["position"].sel(mass_ratio=-1)).all()
+    assert not np.isnan(sweep["position"].sel(mass_ratio=0.5)).all()
+    failed = json.loads(sweep.attrs["failed"])
+    assert failed["r-1s0"] == "piston.mass_ratio=-1: must be greater than 0"
+    assert "not a readable NetCDF-4 file" in failed["r2s0"]
+    assert status.sel(mass_ratio=2, scheme="standard") == "failed"
+    assert json.loads(sweep.attrs["missing"]) == ["r2s1"]
+    assert "r2s1: missing" in caplog.text
+    assert "r-1s0: failed: piston.mass_ratio=-1" in caplog.text
+
+
+def test_cells_that_nobody_planned_are_named_by_their_parameters(job, joined):
+    job("a", SHORT, "scheme=standard")
+    job("b", SHORT, "scheme=corrected")
+    job("c", SHORT, "scheme=corrected", "piston.length=2")
+    assert json.loads(joined().attrs["missing"]) == ["piston.length=2 scheme=standard"]
+
+
+def test_what_cannot_be_joined_is_one_line(job, joined, tmp_path):
+    with pytest.raises(InputError, match="holds no dataset"):
+        joined()
+    job("a", SHORT)
+    job("b", SHORT)
+    with pytest.raises(InputError, match="a and b have the same parameters"):
+        joined()
+    job("b", task="equilibria", make=equilibria)
+    (tmp_path / "b" / "piston.nc").unlink()
+    with pytest.raises(InputError, match="holds equilibria and piston"):
+        joined()
+    with pytest.raises(InputError, match="no such folder"):
+        collect(CollectCase(runs="nowhere"), compose)
+
+
+def test_a_sweep_is_read_back_and_an_altered_one_refused(job, joined, tmp_path):
+    job("a", SHORT, "scheme=standard")
+    job("b", SHORT, "scheme=corrected")
+    sweep, path = joined(), tmp_path / "sweep.nc"
+    save(sweep, path, {"task": "collect"}, 0.0)
+    back = read(path)
+    assert sorted(back.variables) == sorted(sweep.variables)
+    assert back["position"].attrs["units"] == "m"
+    assert joined().equals(sweep)  # a sweep among the runs is not one of them
+    save(sweep.drop_vars("velocity"), path, {}, 0.0)
+    with pytest.raises(InputError, match="'velocity' is not what was joined"):
+        read(path)
+
+
+def test_a_killed_sweep_goes_on_with_the_same_command_and_is_joined(squat, tmp_path):
+    command = ["-m", "task=piston", "piston.mass_ratio=0.2,0.3,0.4,0.5", "time.periods=200"]
+    victim = subprocess.Popen(
+        [str(Path(sys.executable).parent / "squat"), *command, "hydra.launcher.n_jobs=2"],
+        cwd=tmp_path, stderr=subprocess.DEVNULL, env={**os.environ, "OMP_NUM_THREADS": "1"},
+    )  # fmt: skip
+    runs = tmp_path / "multirun" / "piston"
+    while not (first := list(runs.glob("*/piston.nc"))):
+        time.sleep(0.01)
+        assert victim.poll() is None
+    victim.send_signal(signal.SIGKILL)
+    victim.wait()
+    stamps = {path: path.stat().st_mtime_ns for path in first}
+    cut = squat("task=collect", f"runs={runs}", "out=cut.nc")
+    assert cut.returncode == 0, cut.stderr
+    done = squat(*command, "hydra.launcher.n_jobs=2")
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.count("complete, skipped") >= len(first)
+    assert "jobs: 4 of 4" in done.stderr
+    assert {path: path.stat().st_mtime_ns for path in first} == stamps
+    joined = squat("task=collect", f"runs={runs}", "out=whole.nc")
+    assert joined.returncode == 0, joined.stderr
+    whole = read(tmp_path / "whole.nc")
+    assert (whole["job_status"] == "converged").all()
+    assert list(whole["mass_ratio"].values) == [0.2, 0.3, 0.4, 0.5]
+    assert list(read(tmp_path / "cut.nc")["mass_ratio"].values) == [0.2, 0.3, 0.4, 0.5]
