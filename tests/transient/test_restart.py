@@ -152,6 +152,27 @@ def test_a_damaged_segment_is_noticed_and_done_again(short, caplog, harm, which)
     assert ("going on from step 6 of 14" in caplog.text) == (which == 2)
 
 
+@pytest.mark.parametrize(
+    "overrides",
+    [
+        ("coupling=consistent_quasi_newton",),
+        ("coupling=consistent", "accelerator@coupling.accelerator=anderson"),
+        ("coupling=newmark", "accelerator@coupling.accelerator=monolithic"),
+        ("coupling=consistent", "force=variational"),
+        ("coupling=energy_momentum", "force=variational"),
+        ("coupling=energy_momentum", "force=variational", "model=curves"),
+    ],
+)
+def test_every_scheme_goes_on_from_a_segment_with_the_same_bytes(short, caplog, overrides):
+    case, segments = short(*overrides)
+    expected = digest(run(case, segments).dataset)
+    for later in sorted(segments.folder.iterdir())[2:]:
+        later.unlink()
+    with caplog.at_level("INFO"):
+        assert digest(run(case, segments).dataset) == expected
+    assert "going on from step 6 of 14" in caplog.text
+
+
 def test_segments_of_another_run_are_never_used(short, caplog):
     case, segments = short()
     run(case, segments)
