@@ -16,7 +16,7 @@ from omegaconf.errors import OmegaConfBaseException
 
 import squat
 from squat.cli.arguments import with_lists
-from squat.cli.jobs import FAILED, Jobs, check, note_failure
+from squat.cli.jobs import Jobs, check, note_failure
 from squat.cli.messages import condense, start_logging
 from squat.cli.tasks import is_done, output, run_task
 from squat.config import CONF, validate
