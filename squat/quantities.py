@@ -31,6 +31,8 @@ Area = Annotated[float, _number(gt=0, le=1e10)]
 """Area [m2] in (0, 1e10]."""
 Position = Annotated[float, _number(ge=-1e5, le=1e5)]
 """Coordinate or displacement [m]."""
+Angle = Annotated[float, _number(ge=-1.5, le=1.5)]
+"""Angle [rad], less than a right one either way."""
 Velocity = Annotated[float, _number(ge=-1e3, le=1e3)]
 """Velocity component [m/s]."""
 Speed = Annotated[float, _number(ge=0, le=1e3)]

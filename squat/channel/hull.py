@@ -9,7 +9,7 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel.outline import Outline
-from squat.quantities import STRICT, Length, Vector
+from squat.quantities import STRICT, Length, Position, Vector
 
 PitchCenter = Literal["waterline", "centroid"]
 Segments = Annotated[int, Field(strict=True, ge=3, le=400)]
@@ -30,12 +30,20 @@ class Hull(ABC):
         T [m], the depth of the keel below the water line.
     pitch_center
         Point that pitch turns about: `waterline`, mid-length on the still water line, or
-        `centroid`, that of the submerged section.
+        `centroid`, that of the submerged section. It is what added-mass matrices refer to; runs
+        turn about the centre of gravity.
+    gravity_center
+        Centre of gravity (x, z) [m]. None: at half the draft, in line with the centre of buoyancy.
+    gyradius
+        Radius of gyration of the ship's mass about it [m]. None: that of a homogeneous rectangle
+        of `length` and height `draft`.
     """
 
     length: Length
     draft: Length
     pitch_center: PitchCenter = "waterline"
+    gravity_center: tuple[Position, Position] | None = None
+    gyradius: Length | None = None
 
     @abstractmethod
     def section(self) -> Vector:
@@ -45,6 +53,20 @@ class Hull(ABC):
     def outline(self) -> Outline:
         """The section as a checked polygon; raises InputError where it is none."""
         return Outline.of(self.section(), self.draft, self.pitch_center)
+
+    @property
+    def center_of_gravity(self) -> Vector:
+        """Centre of gravity, shape (2,) [m]."""
+        if self.gravity_center is not None:
+            return np.array(self.gravity_center)
+        return np.array([self.outline.centroid[0], -self.draft / 2])
+
+    @property
+    def radius_of_gyration(self) -> float:
+        """Radius of gyration about the centre of gravity [m]."""
+        if self.gyradius is not None:
+            return self.gyradius
+        return math.hypot(self.length, self.draft) / math.sqrt(12)
 
 
 def arc(center: tuple[float, float], radius: float, start: float, end: float, n: int) -> Vector:

@@ -4,6 +4,7 @@ from squat.coupling.accelerators import Accelerator, Aitken, ConstantRelaxation,
 from squat.coupling.conserving import Conserving, Modes, SingleMode
 from squat.coupling.criteria import Criterion
 from squat.coupling.loop import Coupling, State, Status, Step, advance, march, repeated
+from squat.coupling.measured import Measured
 from squat.coupling.monolithic import Monolithic
 from squat.coupling.predictors import PREDICTORS, Predictor, PredictorName
 from squat.coupling.problem import Load, Problem
@@ -21,6 +22,7 @@ __all__ = [
     "Criterion",
     "InterfaceQuasiNewton",
     "Load",
+    "Measured",
     "Modes",
     "Monolithic",
     "NoAcceleration",

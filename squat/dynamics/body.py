@@ -1,4 +1,4 @@
-"""The ship as a rigid body per unit width."""
+"""The ship as a rigid body per unit width: its inertia, its weight, its mooring."""
 
 import math
 from dataclasses import dataclass
@@ -24,6 +24,8 @@ class RigidBody:
         g [m/s2].
     offset
         Centre of mass less pitch centre at rest (x, z) [m]; (0, 0) makes M_s constant.
+    mooring
+        Stiffness of a spring on surge [N/m2].
     """
 
     modes: tuple[str, ...]
@@ -31,16 +33,22 @@ class RigidBody:
     inertia: float
     gravity: float
     offset: tuple[float, float] = (0.0, 0.0)
+    mooring: float = 0.0
 
     @property
     def matrix(self) -> Vector:
         """Structural mass matrix at rest, shape (n, n)."""
         return self.mass_matrix(np.zeros(len(self.modes)))
 
-    @property
-    def weight(self) -> Vector:
-        """Generalised force of gravity at rest, shape (n,) [N/m]."""
-        return -self.height_gradient(np.zeros(len(self.modes))) * self.mass * self.gravity
+    def potential(self, q: Vector) -> float:
+        """Energy of weight and mooring, m g z_G + k s^2/2, from its value at q = 0 [J/m]."""
+        rise = self.height(q) - self.height(np.zeros_like(q))
+        return self.mass * self.gravity * rise + self.mooring * self._surge(q) ** 2 / 2
+
+    def gradient(self, q: Vector) -> Vector:
+        """Its derivatives, shape (n,) [N/m]: minus the generalised force."""
+        pull = np.array([self.mooring * self._surge(q), 0.0, 0.0])
+        return np.asarray(self.mass * self.gravity * self.height_gradient(q) + pull[self._free])
 
     def mass_matrix(self, q: Vector) -> Vector:
         """M_s(q), shape (n, n): the centre of mass moves with (s', w') + theta' (-e_z, e_x)."""
@@ -68,6 +76,9 @@ class RigidBody:
         """dz_G/dq_i, shape (n,)."""
         full = np.array([0.0, 1.0, self._arm(q)[0]])
         return full[self._free]
+
+    def _surge(self, q: Vector) -> float:
+        return float(q[self.modes.index("surge")]) if "surge" in self.modes else 0.0
 
     @property
     def _free(self) -> list[int]:

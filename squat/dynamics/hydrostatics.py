@@ -119,6 +119,22 @@ class Hydrostatics:
         below = self._below(q)
         return -self._weight * np.array([below.pressed(mode) for mode in self.modes])
 
+    @cached_property
+    def stiffness(self) -> Vector:
+        """d2U_h/dq_i dq_j at rest, shape (n, n).
+
+        rho g times the length of the water plane, its first moment, and I_wp + A (z_B - z_c) for
+        pitch about c: all of the restoring where c is the centre of gravity.
+        """
+        below = self._below(np.zeros(len(self.modes)))
+        ends = self.chain[[0, -1], 0] - self.center[0]
+        plane = [float(np.diff(ends ** (k + 1))[0]) / (k + 1) for k in range(3)]
+        lever = self.level - below.moment() / below.area() - self.center[1]
+        turning = plane[2] + below.area() * lever
+        full = np.array([[0, 0, 0], [0, plane[0], plane[1]], [0, plane[1], turning]])
+        free = [("surge", "heave", "pitch").index(mode) for mode in self.modes]
+        return self._weight * full[np.ix_(free, free)]
+
     def area(self, q: Vector) -> float:
         """A_sub [m2]."""
         return self._below(q).area()

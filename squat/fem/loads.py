@@ -94,7 +94,8 @@ class HullLoads:
 
     def at(self, q: Vector) -> Vector:
         """r_j(q), shape (modes, size)."""
-        return np.asarray(self.edges.at(q) @ self.terms)
+        # One by one: a load does not depend, in its last bit, on which other modes there are.
+        return np.stack([row @ self.terms for row in self.edges.at(q)])
 
     def derivatives(self, q: Vector) -> Vector:
         """dr_j/dq_k, shape (modes j, modes k, size), exact."""

@@ -30,9 +30,9 @@ def still_water(submesh: Submesh, water: Water) -> Hydrostatics:
 class Energies(NamedTuple):
     """Where the energy of ship and water is, and what the ends of the channel feed [J/m, W/m].
 
-    ship: q'^T M_s q'/2; water: T_f = (V^2 a + 2 V b.q' + q'^T c q')/2; static: U_h + m g z_G from
-    its value at rest; stream: U_B = rho V^2 A_sub/2 likewise; supply: V (V a + b.q'); power: its
-    rate in a constant current, what enters through In and Out.
+    ship: q'^T M_s q'/2; water: T_f = (V^2 a + 2 V b.q' + q'^T c q')/2; static: U_h + m g z_G, and
+    a mooring's, from its value at rest; stream: U_B = rho V^2 A_sub/2 likewise; supply:
+    V (V a + b.q'); power: its rate in a constant current, what enters through In and Out.
     """
 
     ship: float
@@ -111,8 +111,8 @@ class ShipEnergy:
         return gyroscopic(self.model.slopes(q), self.current)
 
     def static_gradient(self, q: Vector) -> Vector:
-        """d(U_h + m g z_G + U_B)/dq, shape (n,): weight less the force of still water."""
-        return self._weight * self.body.height_gradient(q) - self._still(q)
+        """d(U_h + U_B + m g z_G)/dq, shape (n,), a mooring included: what still water balances."""
+        return self.body.gradient(q) - self._still(q)
 
     def water_force(self, motion: Motion, current_rate: float = 0.0) -> Vector:
         """Generalised force of the water, shape (n,) [N/m], for q, q', q'' and dV/dt [m/s2]."""
@@ -138,19 +138,14 @@ class ShipEnergy:
         return Energies(ship, water, *potentials, V * (V * a + crossed), V * float(rate))
 
     def _potentials(self, q: Vector) -> tuple[float, float]:
-        """U_h + m g z_G and U_B, each from its value at rest."""
-        water, rest = self.hydrostatics, np.zeros(len(q))
-        static = water.potential(q) - water.rest[0]
-        static += self._weight * (self.body.height(q) - self.body.height(rest))
+        """U_h + m g z_G (and the mooring's), and U_B, each from its value at rest."""
+        water = self.hydrostatics
+        static = water.potential(q) - water.rest[0] + self.body.potential(q)
         return static, self._head * (water.area(q) - water.rest[1])
 
     def _still(self, q: Vector) -> Vector:
         """-d(U_h + U_B)/dq, shape (n,)."""
         return -self.hydrostatics.gradient(q) - self._head * self.hydrostatics.area_gradient(q)
-
-    @property
-    def _weight(self) -> float:
-        return self.body.mass * self.body.gravity
 
     @property
     def _head(self) -> float:

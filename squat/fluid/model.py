@@ -1,5 +1,6 @@
 """What the coupled run asks of a flow solver."""
 
+from dataclasses import dataclass, field
 from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 from squat.errors import InputError
@@ -62,6 +63,34 @@ class EnergyModel(Protocol):
     def slopes(self, position: Vector) -> Slopes:
         """Their derivatives at `position`."""
         ...
+
+
+@dataclass(frozen=True, eq=False)
+class Noted:
+    """An `EnergyModel` that notes what `model` answered, for several questions a position."""
+
+    model: EnergyModel
+    _coefficients: dict[bytes, Coefficients] = field(default_factory=dict, repr=False)
+    _slopes: dict[bytes, Slopes] = field(default_factory=dict, repr=False)
+
+    @property
+    def free_surface(self) -> FreeSurface:
+        """See `EnergyModel`."""
+        return self.model.free_surface
+
+    def coefficients(self, position: Vector) -> Coefficients:
+        """See `EnergyModel`."""
+        key = position.tobytes()
+        if key not in self._coefficients:
+            self._coefficients[key] = self.model.coefficients(position)
+        return self._coefficients[key]
+
+    def slopes(self, position: Vector) -> Slopes:
+        """See `EnergyModel`."""
+        key = position.tobytes()
+        if key not in self._slopes:
+            self._slopes[key] = self.model.slopes(position)
+        return self._slopes[key]
 
 
 class FluidModel(Protocol):

@@ -7,7 +7,7 @@ import numpy as np
 from squat.errors import InputError
 from squat.quantities import Vector
 
-PITCH = np.deg2rad(5.0)
+PITCH = np.deg2rad(15.0)
 """Largest pitch [rad] either way."""
 CLEARANCE = 0.02
 """Least clearance over that at rest."""
@@ -76,7 +76,7 @@ class Limits:
         if abs(surge) > SURGE * self.reach:
             raise PositionError(f"surge={surge:g}: must be within {SURGE * self.reach:g} m")
         if abs(pitch) > PITCH * (1 + 1e-12):
-            raise PositionError(f"pitch={pitch:g}: must be within {PITCH:.6g} rad (5 degrees)")
+            raise PositionError(f"pitch={pitch:g}: must be within {PITCH:.6g} rad (15 degrees)")
         if clearance < self.fraction * self.clearance * (1 - 1e-12):
             raise GroundedError(
                 f"heave={heave:g} pitch={pitch:g}: grounded, clearance {clearance:.4g} m "

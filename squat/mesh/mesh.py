@@ -1,6 +1,6 @@
 """Fine mesh embedded in a submesh; subdivision of the coarse triangles without any mesher."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -55,6 +55,10 @@ class Mesh:
         matrix = sparse.csr_array((local.ravel(), (rows, columns)), shape=shape)
         matrix.eliminate_zeros()
         return matrix
+
+    def about(self, center: Vector) -> "Mesh":
+        """The same, for pitch about another point of the hull, `center` (2,) [m] at rest."""
+        return replace(self, submesh=self.submesh.about(center))
 
     def moved(self, q: Vector) -> Vector:
         """Nodes (n, 2) [m] at `q`; raises PositionError where it is inadmissible."""

@@ -14,7 +14,8 @@ _SLACK = 0.2
 def followed(x: Vector, corners: Vector, draft: float) -> list[int]:
     """Which hull points at `x` (n,) get a follower on the bottom: not those above a corner of it.
 
-    Pitch shifts the keel by at most T sin(5 degrees), so that followers do not run into corners.
+    Pitch shifts the keel along: beyond 0.2 T of shift followers may run into corners, and the
+    position is refused by name.
     """
     near = np.abs(x[:, None] - corners[None]) < _SLACK * draft
     blocked = np.array(near.any(axis=1), bool)

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -114,6 +114,14 @@ class Submesh:
     def center(self, q: Vector) -> Vector:
         """Moved point that pitch turns about, shape (2,) [m]."""
         return self.motion.center + self.full(q)[:2]
+
+    def about(self, center: Vector) -> "Submesh":
+        """The same, for pitch about another point of the hull, `center` (2,) [m] at rest."""
+        return replace(self, motion=replace(self.motion, center=center))
+
+    def clearance(self, q: Vector) -> float:
+        """Least height [m] of the hull over the bottom at `q`, admissible or not."""
+        return clearance(self.motion.positions(self.full(q))[self.keel], self.bed)
 
     def areas(self, vertices: Vector) -> Vector:
         """Signed areas (nz,) [m2] of the coarse triangles at `vertices` (nc, 2)."""

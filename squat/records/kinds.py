@@ -202,7 +202,7 @@ SENSITIVITY = Kind(
 
 TRANSIENT = Kind(
     "transient",
-    1,
+    2,
     "Coupled motion of a ship in a current",
     {
         "time": Variable(_TIME, "s", "time of the accepted steps"),
@@ -211,6 +211,22 @@ TRANSIENT = Kind(
         "heave_velocity": Variable(_TIME, "m s-1", "heave velocity"),
         "heave_acceleration": Variable(_TIME, "m s-2", "heave acceleration"),
         "fluid_force": Variable(_TIME, "N m-1", "force of the water, Eq. (15), without weight"),
+        "surge": Variable(_TIME, "m", "surge of the centre of gravity, positive to the stern"),
+        "surge_velocity": Variable(_TIME, "m s-1", "surge velocity"),
+        "surge_acceleration": Variable(_TIME, "m s-2", "surge acceleration"),
+        "surge_force": Variable(
+            _TIME, "N m-1", "force of the water along x; absent without surge", required=False
+        ),
+        "pitch": Variable(_TIME, "rad", "pitch about the centre of gravity, positive bow down"),
+        "pitch_velocity": Variable(_TIME, "rad s-1", "pitch velocity"),
+        "pitch_acceleration": Variable(_TIME, "rad s-2", "pitch acceleration"),
+        "pitch_moment": Variable(
+            _TIME,
+            "N",
+            "moment of the water about the centre of gravity; absent without pitch",
+            required=False,
+        ),
+        "clearance": Variable(_TIME, "m", "least height of the hull over the bottom"),
         "iterations": Variable(_TIME, "1", "structure solves of the step"),
         "contraction": Variable(_TIME, "1", "measured contraction factor of the iteration"),
         "predicted_contraction": Variable(_TIME, "1", "amplification factor G at this position"),
@@ -242,12 +258,20 @@ TRANSIENT = Kind(
         ),
         "stable_root": Variable((), "m", "upper root of Eq. (27) at this current; NaN: none"),
         "unstable_root": Variable((), "m", "lower root of Eq. (27) at this current; NaN: none"),
+        "center": Variable(("axis",), "m", "centre of gravity at rest, from bow and bottom"),
+        "axis": Variable(("axis",), "1", "names of the coordinates"),
+        "mode_i": Variable(("mode_i",), "1", "mode that the force acts on"),
+        "mode_j": Variable(("mode_j",), "1", "mode that accelerates"),
+        "added_mass_matrix": Variable(
+            _MATRIX, _MASS, f"m_add of Eq. (23) at rest, about the centre of gravity{_ENTRIES}"
+        ),
         "added_mass": Variable((), "kg m-1", "m_add of Eq. (23) at w = 0"),
         "ship_mass": Variable((), "kg m-1", "mass of the displaced water"),
+        "ship_inertia": Variable((), "kg m", "moment of inertia about the centre of gravity"),
         "time_step": Variable((), "s", "time step"),
         "omega": Variable((), "rad s-1", "angular frequency of Eq. (5) with rho g L for 2 rho g S"),
     },
-    ("status", "coupling", "current", "free_surface", "force", "model"),
+    ("status", "coupling", "current", "free_surface", "force", "model", "modes"),
 )
 
 _COARSE = (

@@ -8,22 +8,25 @@ from squat.fluid.energy import ShipEnergy
 from squat.quantities import Vector
 from squat.transient.case import TransientCase
 from squat.transient.history import Columns
+from squat.transient.parts import Parts
 
 
 def energies(
-    case: TransientCase, time: Vector, heave: Vector, velocity: Vector, force: Vector
+    case: TransientCase, parts: Parts, time: Vector, columns: Columns
 ) -> dict[str, Vector]:
     """The ship's own work balance, section 3.6 (Fig. 13): E_c + E_p + W = E_0, (time,) [J/m].
 
-    E_c = m w'^2/2, E_p = m g (T + w), W = -int w' F dt by the trapezoidal rule. Any history of F
-    satisfies E_c + E_p + W = E_0 up to that rule's error: it does not show that the water kept its
-    energy.
+    E_c = q'^T M_s q'/2, E_p = m g (T + w) and a mooring's, W = -int q'.F dt over the free modes by
+    the trapezoidal rule. Any history of F satisfies E_c + E_p + W = E_0 up to that rule's error: it
+    does not show that the water kept its energy.
     """
-    mass, draft = case.mass, case.hull.outline.draft
+    body, velocity = parts.problem.body, columns.velocity
+    power = (velocity * columns.force)[:, parts.problem.free].sum(axis=1)
+    rest = case.mass * case.water.gravity * case.hull.outline.draft
     return {
-        "kinetic_energy": mass * velocity**2 / 2,
-        "potential_energy": mass * case.water.gravity * (draft + heave),
-        "fluid_work": -np.asarray(cumulative_trapezoid(velocity * force, time, initial=0)),
+        "kinetic_energy": ((velocity @ body.matrix) * velocity).sum(axis=1) / 2,
+        "potential_energy": np.array([rest + body.potential(q) for q in columns.position]),
+        "fluid_work": -np.asarray(cumulative_trapezoid(power, time, initial=0)),
     }
 
 

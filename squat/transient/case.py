@@ -3,6 +3,7 @@
 import math
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
@@ -14,13 +15,14 @@ from squat.errors import InputError
 from squat.fluid.accuracy import Accuracy
 from squat.fluid.model import FreeSurface
 from squat.fluid.rates import RATES, RateName
-from squat.mesh import MeshSize
-from squat.quantities import STRICT, Fraction, NonNegative, Position, Speed
+from squat.mesh import MODES, MeshSize
+from squat.quantities import STRICT, Angle, Fraction, NonNegative, Position, Speed, Vector, Velocity
 from squat.reduced import Training
 from squat.water import Water
 
 Force = Literal["pressure", "variational"]
 Model = Literal["full", "curves", "reduced"]
+Mode = Literal["surge", "heave", "pitch"]
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -145,8 +147,16 @@ class TransientCase:
         a few solves before the run, with pressure and field (docs/theory/reduced.md).
     reduced
         How a reduced model is made where `inputs.reduced` gives none.
-    initial_heave
-        w(0) [m]; the ship is at rest.
+    modes
+        Motions of the ship, heave among them, in the order surge, heave, pitch.
+    held
+        Those of `modes` that keep the velocity they start with: prescribed motion.
+    initial_surge, initial_heave, initial_pitch
+        Position at t = 0 [m], [m], [rad, positive bow down] of the modes that there are.
+    surge_velocity
+        Surge velocity at t = 0 [m/s]; all others are zero.
+    mooring
+        Stiffness of a spring on surge, per metre of width [N/m2].
     grounding
         Least clearance over that at rest; closer, a converged step counts as grounded.
     snapshots
@@ -165,7 +175,13 @@ class TransientCase:
     reduced: Training
     time: Duration
     coupling: CouplingChoice
+    modes: tuple[Mode, ...]
+    held: tuple[Mode, ...]
+    initial_surge: Position
     initial_heave: Position
+    initial_pitch: Angle
+    surge_velocity: Velocity
+    mooring: NonNegative
     grounding: Fraction
     snapshots: Annotated[int, Field(strict=True, ge=0)]
     restart: Restart
@@ -181,6 +197,48 @@ class TransientCase:
             )
         if self.model == "curves" and self.snapshots:
             raise InputError(f"snapshots={self.snapshots}: model={self.model} has no field; give 0")
+        if self.model == "curves" and len(self.modes) > 1:
+            raise InputError("model=curves: holds heave alone; give model=full, or modes=[heave]")
+        self._check_modes()
+
+    def _check_modes(self) -> None:
+        if "heave" not in self.modes or list(self.modes) != [m for m in MODES if m in self.modes]:
+            raise InputError(
+                f"modes={list(self.modes)}: give heave, alone or with others, in the order "
+                f"{', '.join(MODES)}"
+            )
+        for mode in self.held:
+            if mode not in self.modes:
+                raise InputError(f"held={list(self.held)}: {mode} is not in modes; add it there")
+        if self.held and self.coupling.conserving:
+            raise InputError(
+                f"held={list(self.held)}: what holds a mode does work, and "
+                "coupling.integrator=energy_momentum keeps the energy; leave the mode out"
+            )
+        for key, mode, value in (
+            ("initial_surge", "surge", self.initial_surge),
+            ("surge_velocity", "surge", self.surge_velocity),
+            ("mooring", "surge", self.mooring),
+            ("initial_pitch", "pitch", self.initial_pitch),
+        ):
+            if value and mode not in self.modes:
+                raise InputError(f"{key}={value:g}: {mode} is not in modes; add it there")
+
+    @property
+    def start(self) -> tuple[Vector, Vector]:
+        """q and q' at t = 0, shape (n,) each."""
+        position = {
+            "surge": self.initial_surge,
+            "heave": self.initial_heave,
+            "pitch": self.initial_pitch,
+        }
+        q = np.array([position[mode] for mode in self.modes])
+        return q, np.array([self.surge_velocity * (mode == "surge") for mode in self.modes])
+
+    @property
+    def place(self) -> int:
+        """Place of heave in `modes`."""
+        return self.modes.index("heave")
 
     @property
     def mass(self) -> float:

@@ -6,6 +6,8 @@ import numpy as np
 import xarray as xr
 
 from squat.fluid.curves import Curves
+from squat.fluid.model import EnergyModel, Noted
+from squat.mesh import MODES
 from squat.quantities import Vector
 from squat.records import build
 from squat.records.kinds import TRANSIENT
@@ -15,36 +17,41 @@ from squat.transient.factors import predicted_contraction
 from squat.transient.history import Columns, History
 from squat.transient.parts import Parts, curves, load_roots, ship_energy
 
+_FORCES = {"surge": "surge_force", "heave": "fluid_force", "pitch": "pitch_moment"}
+
 
 def dataset(history: History) -> xr.Dataset:
     """Dataset of kind `transient`."""
     case, parts = history.case, history.parts
     columns = Columns.of(history.rows)
-    heave, velocity, force = columns.position[:, 0], columns.velocity[:, 0], columns.force[:, 0]
-    time = np.asarray(parts.dt * np.arange(len(heave)), float)
-    water, roots = _curves(case, parts, float(heave.min())), load_roots(case)
+    time = np.asarray(parts.dt * np.arange(len(history.rows)), float)
+    water, roots = _water(case, parts, columns.position), load_roots(case)
     failed = history.failed
     data: dict[str, Any] = {
         "time": time,
         "phase": parts.omega * time,
-        "heave": heave,
-        "heave_velocity": velocity,
-        "heave_acceleration": columns.acceleration[:, 0],
-        "fluid_force": force,
+        **_motion(case, columns),
+        "clearance": [parts.fluid.mesh.submesh.clearance(q) for q in columns.position],
         "iterations": columns.iterations,
         "contraction": columns.contraction,
         "residual": columns.residuals,
         "failed_residual": failed.residuals if failed else np.empty(0),
         "failed_contraction": failed.contraction if failed else np.nan,
-        **energies(case, time, heave, velocity, force),
-        "fluid_inertia": water.values(heave)[2],
+        **energies(case, parts, time, columns),
+        "fluid_inertia": _inertia(water, columns.position, case.place),
         **audit(ship_energy(case, parts.fluid, water), columns),
         "predicted_contraction": predicted_contraction(case, parts, water, columns),
         **(_pressure(parts, columns) if case.model != "curves" else {}),
         "stable_root": roots.stable,
         "unstable_root": roots.unstable,
-        "added_mass": parts.added_mass,
+        "center": parts.fluid.mesh.submesh.motion.center,
+        "axis": ["x", "z"],
+        "mode_i": list(case.modes),
+        "mode_j": list(case.modes),
+        "added_mass_matrix": parts.added_mass,
+        "added_mass": parts.added_mass[case.place, case.place],
         "ship_mass": case.mass,
+        "ship_inertia": parts.problem.body.inertia,
         "time_step": parts.dt,
         "omega": parts.omega,
     }
@@ -55,14 +62,42 @@ def dataset(history: History) -> xr.Dataset:
         "free_surface": case.free_surface,
         "force": case.force,
         "model": case.model,
+        "modes": " ".join(case.modes),
     }
     return build(TRANSIENT, data, attributes)
 
 
-def _curves(case: TransientCase, parts: Parts, lowest: float) -> Curves:
+def _water(case: TransientCase, parts: Parts, positions: Vector) -> EnergyModel:
     """Energy coefficients on the run's own mesh, whatever the run's force."""
     known = parts.problem.model
-    return known if isinstance(known, Curves) else curves(case, parts.fluid, lowest)
+    if isinstance(known, Curves):
+        return known
+    if len(case.modes) == 1:
+        return curves(case, parts.fluid, float(positions.min()))
+    parts.forget()  # a restarted run has not asked what an undisturbed one has
+    return Noted(parts.fluid)
+
+
+def _inertia(water: EnergyModel, positions: Vector, heave: int) -> Vector:
+    if isinstance(water, Curves):
+        return np.asarray(water.values(positions[:, 0])[2])
+    return np.array([water.coefficients(q).c[heave, heave] for q in positions])
+
+
+def _motion(case: TransientCase, columns: Columns) -> dict[str, Vector]:
+    """Position, velocity, acceleration and force by mode; zero where the ship has no such mode."""
+    data: dict[str, Vector] = {}
+    rates = ("", "_velocity", "_acceleration")
+    for mode in MODES:
+        if mode not in case.modes:
+            data |= {mode + rate: np.zeros(len(columns.position)) for rate in rates}
+            continue
+        place = case.modes.index(mode)
+        data |= {
+            mode + rate: column[:, place] for rate, column in zip(rates, columns[:3], strict=True)
+        }
+        data[_FORCES[mode]] = columns.force[:, place]
+    return data
 
 
 def _pressure(parts: Parts, columns: Columns) -> dict[str, Vector]:

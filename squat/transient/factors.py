@@ -8,14 +8,20 @@ force holds -c w'' - c' w'^2/2 of the trial itself (docs/theory/energy.md):
 
     G = [m_add - c - (s1/s3) dt c' w' - (dt^2/s3) k] / (m + m_add)
     k = rho g L - V^2 a''/2 + c' w'' + w'^2 c''/2
+
+For n modes the eigenvalue of largest modulus of (M_s + m_add)^-1 [m_add - beta c - (dt^2/s3) K],
+K the stiffness in still water: what is left out is of the order of dt (s1 - s2) and dt^2 V^2.
 """
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.curves import Curves
+from squat.fluid.energy import still_water
+from squat.fluid.model import EnergyModel
 from squat.fluid.rates import RATES
 from squat.quantities import Vector
 from squat.transient.case import TransientCase
@@ -32,16 +38,43 @@ class Heaving(NamedTuple):
 
 
 def predicted_contraction(
-    case: TransientCase, parts: Parts, curves: Curves, columns: Columns
+    case: TransientCase, parts: Parts, model: EnergyModel, columns: Columns
 ) -> Vector:
     """G of the step that ends at each recorded position, shape (time,).
 
     NaN for the energy-momentum step, which does not iterate between structure and fluid.
+
+    Parameters
+    ----------
+    model
+        The water of the run's mesh, over heave alone as `Curves`.
     """
+    if case.coupling.conserving:
+        return np.full(len(columns.position), np.nan)
+    if isinstance(model, Curves):
+        return _of_heave(case, parts, model, columns)
+    return np.array(list(_of_modes(case, parts, model, columns.position)))
+
+
+def _of_modes(
+    case: TransientCase, parts: Parts, model: EnergyModel, positions: Vector
+) -> Iterator[float]:
+    """Largest eigenvalue by modulus at each of `positions` (time, n)."""
+    choice, free = case.coupling, np.ix_(parts.problem.free, parts.problem.free)
+    beta = choice.beta(case.force)
+    K = still_water(parts.fluid.mesh.submesh, case.water).stiffness
+    m_add = parts.added_mass * (choice.scheme == "corrected")
+    for before, q in zip([positions[0], *positions[:-1]], positions, strict=True):
+        if choice.scheme == "consistent":
+            m_add = beta * model.coefficients(before).c
+        change = m_add - beta * model.coefficients(q).c - parts.dt**2 / choice.ties.s3 * K
+        G = np.linalg.solve((parts.problem.body.matrix + m_add)[free], change[free])
+        yield float(max(np.linalg.eigvals(G).real, key=abs, default=0.0))
+
+
+def _of_heave(case: TransientCase, parts: Parts, curves: Curves, columns: Columns) -> Vector:
     parts_of = (column[:, 0].tolist() for column in columns[:3])
     motions = [Heaving(*values) for values in zip(*parts_of, strict=True)]
-    if case.coupling.conserving:
-        return np.full(len(motions), np.nan)
     before = [motions[0], *motions[:-1]]
     values = [
         factor(case, parts, curves, motion, added_mass(case, parts, curves, last.heave))
@@ -54,7 +87,7 @@ def added_mass(case: TransientCase, parts: Parts, curves: Curves, w: float) -> f
     """m_add [kg/m] of the step that starts at heave `w` [m]."""
     if case.coupling.scheme == "consistent":
         return case.coupling.beta(case.force) * float(curves.values(w)[2])
-    return parts.added_mass if case.coupling.scheme == "corrected" else 0.0
+    return float(parts.added_mass[0, 0]) if case.coupling.scheme == "corrected" else 0.0
 
 
 def factor(

@@ -1,9 +1,9 @@
 """What a run needs before it starts: mesh, added mass, loop."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -13,6 +13,7 @@ from squat.coupling import (
     PREDICTORS,
     Conserving,
     Coupling,
+    Measured,
     Modes,
     Scheme,
     SingleMode,
@@ -31,7 +32,8 @@ from squat.fluid.heave import HeaveEnergy
 from squat.fluid.model import EnergyModel, FluidModel, forget
 from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES
-from squat.mesh import Mesh, PositionError, submesh
+from squat.fluid.ship import about_another_point, about_gravity, check_stability, rigid_body
+from squat.mesh import MODES, Mesh, PositionError, Submesh, submesh
 from squat.mesh.generate import generate
 from squat.mesh.ugrid import from_dataset
 from squat.quantities import Vector
@@ -44,7 +46,7 @@ from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
 from squat.transient.problem import EnergyProblem, Field, ShipProblem
 
-MODES = ("heave",)
+_LOADING = ("gravity_center", "gyradius")
 _FINE = 32
 """Positions that curves of a reduced model are made from: it answers at once."""
 Water = PotentialFluid | ReducedFluid
@@ -53,12 +55,16 @@ Water = PotentialFluid | ReducedFluid
 
 @dataclass(frozen=True)
 class Parts:
-    """The pieces of one run; `added_mass` is m_add [kg/m] of (23) at w = 0."""
+    """The pieces of one run; `added_mass` is m_add (n, n) of (23) at q = 0.
+
+    `loop` is the problem as the coupling loop sees it; states, kept and recorded, are the ship's.
+    """
 
     problem: ShipProblem | EnergyProblem
+    loop: Measured
     fluid: Water
     coupling: Coupling | Conserving
-    added_mass: float
+    added_mass: Vector
     omega: float
     dt: float
 
@@ -70,28 +76,44 @@ class Parts:
     def advance(self, state: State) -> Step:
         """One time step; diverged where it leaves the positions that the model can take."""
         if isinstance(self.coupling, Coupling):
-            return advance(self.problem, self.coupling, state, self.dt)
+            loop = self.loop
+            step = advance(loop, self.coupling, loop.state(state, outward=True), self.dt)
+            return replace(step, state=loop.state(step.state, outward=False))
         try:
             return self.coupling.advance(state, self.dt)
         except PositionError:
-            unknown = np.array([np.nan])
-            return Step("diverged", state, unknown, np.nan, unknown)
+            unknown = np.full(len(self.added_mass), np.nan)
+            return Step("diverged", state, unknown[:1], np.nan, unknown)
 
 
 def prepare(case: TransientCase) -> Parts:
     """Mesh, added mass and loop of `case`, from its input files where given."""
     fluid = load_fluid(case)
+    check_stability(fluid.mesh.submesh, _body(case), case.water)
     problem = _problem(case, fluid)
     added = load_added_mass(case)
-    omega = case.omega(added)
-    coupling = _coupling(case, problem, added)
-    return Parts(problem, fluid, coupling, added, omega, case.time.step(omega))
+    omega = case.omega(float(added[case.place, case.place]))
+    loop = _measured(case, problem)
+    coupling = _coupling(case, problem, loop, added)
+    return Parts(problem, loop, fluid, coupling, added, omega, case.time.step(omega))
+
+
+def _body(case: TransientCase) -> RigidBody:
+    return rigid_body(case.hull, case.water, case.modes, case.mooring)
+
+
+def _measured(case: TransientCase, problem: ShipProblem | EnergyProblem) -> Measured:
+    """`problem` as the coupling loop sees it: all coordinates in metres."""
+    half = case.hull.outline.length / 2
+    lengths = [half if mode == "pitch" else 1.0 for mode in case.modes]
+    return Measured(problem, np.array(lengths), problem.free)
 
 
 def load_fluid(case: TransientCase) -> Water:
     """The flow solver: on the whole mesh, or a reduced one where `case.model` says so."""
     if case.model != "reduced":
-        return PotentialFluid(load_mesh(case), case.water, case.free_surface, case.current)
+        mesh = about_gravity(load_mesh(case), case.hull)
+        return PotentialFluid(mesh, case.water, case.free_surface, case.current)
     return load_reduced(case).fluid(case.water, case.current)
 
 
@@ -100,16 +122,28 @@ def load_reduced(case: TransientCase) -> Loaded:
     if case.inputs.reduced is not None:
         same = ("hull", "channel", "water", "mesh", "free_surface")
         _input(case.inputs.reduced, REDUCED, case, same)
-        return load(Path(case.inputs.reduced), fields=case.snapshots > 0)
-    mesh = load_mesh(case)
+        loaded = load(Path(case.inputs.reduced), fields=case.snapshots > 0)
+        _check_motion(case, loaded.mesh.submesh)
+        return loaded
+    mesh = about_gravity(load_mesh(case), case.hull)
     made = reduce(mesh, case.water.density, case.free_surface, case.reduced)
     return Loaded(made.model, mesh, made.basis) if case.snapshots else on_patch(made, mesh)
 
 
+def _check_motion(case: TransientCase, submesh: Submesh) -> None:
+    turns = submesh.motion.center - np.array([0.0, case.channel.depth])
+    apart = np.abs(turns - case.hull.center_of_gravity).max()
+    if submesh.modes != case.modes or ("pitch" in case.modes and apart > 0):
+        raise InputError(
+            f"inputs.reduced={case.inputs.reduced}: moves in {', '.join(submesh.modes)} about "
+            f"{turns.tolist()}; leave it out, or give modes and hull.gravity_center that agree"
+        )
+
+
 def ship_energy(case: TransientCase, fluid: Water, model: EnergyModel) -> ShipEnergy:
     """Energy of ship and water, the water's by `model`."""
-    body = RigidBody(MODES, case.mass, 0.0, case.water.gravity)
-    return ShipEnergy(body, still_water(fluid.mesh.submesh, case.water), model, case.current)
+    still = still_water(fluid.mesh.submesh, case.water)
+    return ShipEnergy(_body(case), still, model, case.current)
 
 
 def curves(case: TransientCase, fluid: Water, lowest: float = np.inf) -> Curves:
@@ -124,18 +158,20 @@ def curves(case: TransientCase, fluid: Water, lowest: float = np.inf) -> Curves:
 
 def _problem(case: TransientCase, fluid: Water) -> ShipProblem | EnergyProblem:
     rate = RATES[case.coupling.potential_rate]
+    free = np.array([mode not in case.held for mode in case.modes])
     if case.force == "pressure":
-        body = RigidBody(MODES, case.mass, 0.0, case.water.gravity)
-        return ShipProblem(body, fluid, rate)
-    model = fluid if case.model == "full" else curves(case, fluid)
+        return ShipProblem(_body(case), fluid, rate, free)
+    several = len(case.modes) > 1
+    model = fluid if several or case.model == "full" else curves(case, fluid)
     field = None if case.model == "curves" else Field(fluid, rate)
-    return EnergyProblem(ship_energy(case, fluid, model), field)
+    return EnergyProblem(ship_energy(case, fluid, model), field, free)
 
 
 def _coupling(
     case: TransientCase,
     problem: ShipProblem | EnergyProblem,
-    added_mass: float,
+    loop: Measured,
+    added_mass: Vector,
 ) -> Coupling | Conserving:
     choice = case.coupling
     if choice.conserving:
@@ -146,7 +182,7 @@ def _coupling(
             whole = SingleMode(HeaveEnergy(energy))
         return Conserving.of(whole, choice.criterion, problem.remember)
     return Coupling(
-        _scheme(case, problem.mass, problem.model, added_mass),
+        _scheme(case, loop, problem.model, added_mass),
         choice.ties,
         choice.accelerator,
         PREDICTORS[choice.predictor],
@@ -155,38 +191,47 @@ def _coupling(
 
 
 def _scheme(
-    case: TransientCase, mass: Vector, model: FluidModel | EnergyModel, added_mass: float
+    case: TransientCase, loop: Measured, model: FluidModel | EnergyModel, added_mass: Vector
 ) -> Callable[[Motion], Scheme]:
     """The structure solve that follows a motion, see `CouplingChoice.scheme`."""
     if case.coupling.scheme == "consistent":
         beta = case.coupling.beta(case.force)
-        return lambda motion: corrected(mass, beta * model.coefficients(motion.position).c)
-    fixed = corrected(mass, np.array([[added_mass]]))
+
+        def following(motion: Motion) -> Scheme:
+            inertia = model.coefficients(loop.inward(motion).position).c
+            return corrected(loop.mass, loop.matrix(beta * inertia))
+
+        return following
+    fixed = corrected(loop.mass, loop.matrix(added_mass))
     if case.coupling.scheme == "standard":
-        fixed = standard(mass)
+        fixed = standard(loop.mass)
     return lambda motion: fixed
 
 
 def load_mesh(case: TransientCase) -> Mesh:
     """The mesh of the input file, or a new one."""
     if case.inputs.mesh is None:
-        return generate(submesh(case.hull, case.channel, MODES), case.mesh)
+        return generate(submesh(case.hull, case.channel, case.modes), case.mesh)
     data = _input(case.inputs.mesh, MESH, case, ("hull", "channel", "mesh"))
-    return from_dataset(data, MODES)
+    return from_dataset(data, case.modes)
 
 
-def load_added_mass(case: TransientCase) -> float:
-    """Heave added mass [kg/m] of Eq. (23) at w = 0, extrapolated."""
+def load_added_mass(case: TransientCase) -> Vector:
+    """Added-mass matrix (n, n) of Eq. (23) at q = 0, about the centre of gravity, extrapolated."""
     if case.inputs.added_mass is None:
         value, _ = accurate(case.hull, case.channel, case.accuracy, "zero_pressure")
-        return case.water.density * float(value[1, 1])
-    data = _input(case.inputs.added_mass, ADDED_MASS, case, ("hull", "channel", "water"))
-    if data.attrs["free_surface"] != "zero_pressure":
-        raise InputError(
-            f"inputs.added_mass={case.inputs.added_mass}: computed with free_surface="
-            f"{data.attrs['free_surface']}; give one with zero_pressure, Eq. (23)"
-        )
-    return float(data["added_mass"].sel(mode_i="heave", mode_j="heave"))
+        matrix = case.water.density * value
+    else:
+        data = _input(case.inputs.added_mass, ADDED_MASS, case, ("hull", "channel", "water"))
+        if data.attrs["free_surface"] != "zero_pressure":
+            raise InputError(
+                f"inputs.added_mass={case.inputs.added_mass}: computed with free_surface="
+                f"{data.attrs['free_surface']}; give one with zero_pressure, Eq. (23)"
+            )
+        matrix = data["added_mass"].sel(mode_i=list(MODES), mode_j=list(MODES)).values
+    shift = case.hull.center_of_gravity - case.hull.outline.center
+    places = [MODES.index(mode) for mode in case.modes]
+    return about_another_point(matrix, shift)[np.ix_(places, places)]
 
 
 class Roots(NamedTuple):
@@ -213,8 +258,15 @@ def _input(name: str, kind: Kind, case: TransientCase, parts: tuple[str, ...]) -
     data = records.read(Path(name), kind)
     made = records.config_of(data)
     for part in parts:
-        if made[part] != records.plain(getattr(case, part)):
+        if _shape(made[part]) != _shape(records.plain(getattr(case, part))):
             raise InputError(
                 f"inputs.{kind.name}={name}: made for another {part}; make it again for this one"
             )
     return data
+
+
+def _shape(part: Any) -> Any:
+    """`part` without what neither mesh nor added mass depends on."""
+    if not isinstance(part, dict):
+        return part
+    return {key: value for key, value in part.items() if key not in _LOADING}

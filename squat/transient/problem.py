@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from squat.coupling import Load
 from squat.dynamics import Motion, RigidBody
-from squat.dynamics.lagrangian import acceleration, force
+from squat.dynamics.lagrangian import force
 from squat.fluid.energy import ShipEnergy
 from squat.fluid.model import EnergyModel, Flow, FluidModel
 from squat.fluid.rates import Levels, Rate
@@ -16,11 +17,15 @@ from squat.quantities import Vector
 
 @dataclass(frozen=True)
 class ShipProblem:
-    """M_s q'' = weight + pressure force, Eqs. (14) and (15): a `coupling.Problem`."""
+    """M_s q'' = weight + pressure force, Eqs. (14) and (15): a `coupling.Problem`.
+
+    Modes that are not `free` (n,) do not accelerate when the ship is released.
+    """
 
     body: RigidBody
     fluid: FluidModel
     rate: Rate
+    free: NDArray[np.bool_]
 
     @property
     def model(self) -> FluidModel:
@@ -39,7 +44,7 @@ class ShipProblem:
         except PositionError:
             return Load(np.full(len(trial.position), np.nan), memory)
         rate = self.rate(flow.potential, memory, dt)
-        force = self.fluid.force(flow, rate) + self.body.weight
+        force = self.fluid.force(flow, rate) - self.body.gradient(trial.position)
         return Load(force, Levels(flow.potential, memory.now, rate))
 
     def water_force(self, motion: Motion, memory: Levels) -> Vector:
@@ -47,29 +52,33 @@ class ShipProblem:
         flow = Flow(motion.position, motion.velocity, memory.now)
         return self.fluid.force(flow, memory.rate)
 
-    def steady(self, position: Vector) -> tuple[Flow, Vector]:
-        """Flow past the ship at rest, and the net force on it, shape (n,)."""
-        flow = self.fluid.flow(position, np.zeros_like(position))
+    def steady(self, position: Vector, velocity: Vector) -> tuple[Flow, Vector]:
+        """Flow past the ship in steady motion, and the net force on it, shape (n,)."""
+        flow = self.fluid.flow(position, velocity)
         still = np.zeros_like(flow.potential)
-        return flow, self.fluid.force(flow, still) + self.body.weight
+        return flow, self.fluid.force(flow, still) - self.body.gradient(position)
 
-    def at_rest(self, position: Vector, dt: float) -> tuple[Motion, Levels]:
-        """Start "at rest": no velocity, no acceleration, steady flow."""
-        flow, _ = self.steady(position)
-        zero = np.zeros_like(position)
+    def at_rest(self, position: Vector, velocity: Vector, dt: float) -> tuple[Motion, Levels]:
+        """Start with q and q' (n,) as if so for ever: no acceleration, steady flow."""
+        flow, _ = self.steady(position, velocity)
         levels = Levels(flow.potential, flow.potential, np.zeros_like(flow.potential))
-        return Motion(position, zero, zero), levels
+        return Motion(position, velocity, np.zeros_like(position)), levels
 
-    def balanced(self, position: Vector, dt: float) -> tuple[Motion, Levels]:
+    def balanced(self, position: Vector, velocity: Vector, dt: float) -> tuple[Motion, Levels]:
         """Start released: (M_s + c) q'' = net steady force; the potential's rate follows q''."""
-        flow, net = self.steady(position)
+        flow, net = self.steady(position, velocity)
         inertia = self.body.matrix + self.fluid.coefficients(position).c
-        acceleration = np.asarray(np.linalg.solve(inertia, net), float)
+        acceleration = released(inertia, net, self.free)
         rate = acceleration @ self.fluid.unit_potentials(position)[1]
         before = flow.potential - dt * rate
-        return Motion(position, np.zeros_like(position), acceleration), Levels(
-            flow.potential, before, rate
-        )
+        return Motion(position, velocity, acceleration), Levels(flow.potential, before, rate)
+
+
+def released(inertia: Vector, force: Vector, free: NDArray[np.bool_]) -> Vector:
+    """Acceleration (n,) of the free modes under `force` (n,), the others held."""
+    out = np.zeros_like(force)
+    out[free] = np.linalg.solve(inertia[np.ix_(free, free)], force[free])
+    return out
 
 
 @dataclass(frozen=True)
@@ -105,10 +114,18 @@ class EnergyProblem:
         Of ship and water.
     field
         What the potential is kept by; None where the model has none.
+    free
+        See `ShipProblem`.
     """
 
     energy: ShipEnergy
     field: Field | None
+    free: NDArray[np.bool_]
+
+    @property
+    def body(self) -> RigidBody:
+        """Mass matrix, weight and mooring."""
+        return self.energy.body
 
     @property
     def model(self) -> EnergyModel:
@@ -138,15 +155,20 @@ class EnergyProblem:
         """Force of the water (n,) in an accepted step."""
         return self.energy.water_force(motion)
 
-    def at_rest(self, position: Vector, dt: float) -> tuple[Motion, Levels | None]:
-        """Start "at rest": no velocity, no acceleration."""
-        zero = np.zeros_like(position)
-        return self._start(Motion(position, zero, zero), dt)
+    def at_rest(
+        self, position: Vector, velocity: Vector, dt: float
+    ) -> tuple[Motion, Levels | None]:
+        """Start with q and q' (n,) as if so for ever: no acceleration."""
+        return self._start(Motion(position, velocity, np.zeros_like(position)), dt)
 
-    def balanced(self, position: Vector, dt: float) -> tuple[Motion, Levels | None]:
+    def balanced(
+        self, position: Vector, velocity: Vector, dt: float
+    ) -> tuple[Motion, Levels | None]:
         """Start released, in balance with the inertia of ship and water."""
         zero = np.zeros_like(position)
-        return self._start(Motion(position, zero, acceleration(self.energy, position, zero)), dt)
+        net = force(self.energy, Motion(position, velocity, zero), np.zeros_like(self.mass))
+        acceleration = released(self.energy.mass(position), net, self.free)
+        return self._start(Motion(position, velocity, acceleration), dt)
 
     def _start(self, motion: Motion, dt: float) -> tuple[Motion, Levels | None]:
         return motion, None if self.field is None else self.field.start(motion, dt)

@@ -5,7 +5,6 @@ import time
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
 import xarray as xr
 
 from squat.coupling import State, Step, repeated
@@ -57,10 +56,9 @@ def run(case: TransientCase, segments: Segments | None = None) -> Result:
 
 
 def start(case: TransientCase, parts: Parts) -> State:
-    """State at t = 0: at rest at w(0) in steady flow."""
-    position = np.array([case.initial_heave])
+    """State at t = 0: at q(0) in steady flow, at rest unless surge has a velocity."""
     begin = parts.problem.at_rest if case.coupling.start == "rest" else parts.problem.balanced
-    motion, memory = begin(position, parts.dt)
+    motion, memory = begin(*case.start, parts.dt)
     return State((motion,), memory)
 
 

@@ -100,8 +100,8 @@ def test_grounded_and_lifted_positions_are_refused_by_name():
         box.check(np.array([0, 5.1, 0]))
     with pytest.raises(LiftedError, match="lifts the hull's vertical sides"):
         vee.check(np.array([0, 0.95, 0]))
-    with pytest.raises(PositionError, match=r"pitch=0.1: must be within"):
-        box.check(np.array([0, 0, 0.1]))
+    with pytest.raises(PositionError, match=r"pitch=0.3: must be within"):
+        box.check(np.array([0, 0, 0.3]))
     with pytest.raises(PositionError, match="surge=39"):
         box.check(np.array([39.0, 0, 0]))
     with pytest.raises(PositionError, match="must be finite"):

@@ -55,7 +55,7 @@ def test_correction_follows_the_ship(ship):
     """beta c(w), not its value at the start: it grows as the clearance shrinks."""
     case = ship("coupling=consistent")
     parts = prepare(case)
-    motion, _ = parts.problem.balanced(np.array([0.0]), parts.dt)
+    motion, _ = parts.problem.balanced(np.zeros(1), np.zeros(1), parts.dt)
     found = []
     for w in (0.0, -3.5):
         scheme = parts.coupling.scheme(motion._replace(position=np.array([w])))

@@ -114,7 +114,7 @@ def reference(parts, case, end):
         slope0 = (ahead[0] - behind[0]) / (2 * h)
         slope2 = (ahead[1][0] - behind[1][0]) / (2 * h)
         rate = v * (current * slope0 + v * slope2)
-        net = fluid.force(flow, rate)[0] + problem.body.weight[0]
+        net = fluid.force(flow, rate)[0] - problem.body.gradient(q)[0]
         inertia = problem.body.mass + fluid.coefficients(q).c[0, 0]
         return v, net / inertia
 

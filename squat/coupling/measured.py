@@ -1,0 +1,60 @@
+"""A problem of several modes in metres, for one tolerance, and with some of its modes held."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from squat.coupling.loop import State
+from squat.coupling.problem import Load, Problem
+from squat.dynamics import Motion
+from squat.quantities import Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """`problem` in the coordinates x_i = l_i q_i: a `Problem`.
+
+    Residuals, criterion and accelerators see metres only; with all l = 1 nothing changes, bit for
+    bit.
+
+    Parameters
+    ----------
+    lengths
+        l, shape (n,): 1 for a translation, L/2 [m] for pitch, the motion of bow and stern.
+    free
+        Shape (n,). No net force reaches a mode that is not free: it keeps its velocity.
+    """
+
+    problem: Problem
+    lengths: Vector
+    free: NDArray[np.bool_]
+
+    @property
+    def mass(self) -> Vector:
+        """Structural mass matrix of x, shape (n, n)."""
+        return self.matrix(self.problem.mass)
+
+    def load(self, trial: Motion, memory: Any, dt: float) -> Load:
+        """See `Problem.load`."""
+        force, memory = self.problem.load(self.inward(trial), memory, dt)
+        return Load(np.where(self.free, force / self.lengths, 0.0), memory)
+
+    def matrix(self, masses: Vector) -> Vector:
+        """Masses (n, n) of q for x; between free and held modes there is no exchange."""
+        apart = self.free[:, None] != self.free
+        return np.where(apart, 0.0, masses / np.outer(self.lengths, self.lengths))
+
+    def inward(self, motion: Motion) -> Motion:
+        """Motion of q for one of x."""
+        return Motion(*(part / self.lengths for part in motion))
+
+    def outward(self, motion: Motion) -> Motion:
+        """Motion of x for one of q."""
+        return Motion(*(part * self.lengths for part in motion))
+
+    def state(self, state: State, *, outward: bool) -> State:
+        """`state` with its motions turned from q to x, or back."""
+        turn = self.outward if outward else self.inward
+        return replace(state, past=tuple(turn(motion) for motion in state.past))
