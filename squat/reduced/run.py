@@ -7,6 +7,7 @@ import xarray as xr
 
 from squat import records
 from squat.errors import InputError
+from squat.fluid.ship import about_gravity
 from squat.mesh import Mesh
 from squat.mesh.ugrid import from_dataset
 from squat.records.kinds import MESH
@@ -24,7 +25,7 @@ class Result(NamedTuple):
 
 def run(case: ReducedCase) -> Result:
     """Dataset of kind `reduced`."""
-    mesh = _mesh(case)
+    mesh = about_gravity(_mesh(case), case.hull)
     made = reduce(mesh, case.water.density, case.free_surface, case.reduced)
     near = on_patch(made, mesh)
     groups = {HULL: fields_record(near.mesh, near.basis)}
