@@ -30,6 +30,7 @@ from squat.fluid import inertia, sensitivity
 from squat.fluid import run as added_mass
 from squat.stability import limits, limits_map, portrait
 from squat.stability import run as equilibria
+from squat.transient import stability_map
 
 _log = logging.getLogger(__name__)
 
@@ -64,6 +65,7 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "iterations": piston.study,
     "equilibria": equilibria.run,
     "stability": portrait.run,
+    "stability_map": stability_map.run,
     "limits": limits.run,
     "limits_map": limits_map.run,
     "mesh": _mesh,

@@ -29,6 +29,7 @@ from squat.stability.case import LimitsCase, LimitsMapCase, StabilityCase
 from squat.stability.run import EquilibriaCase
 from squat.sweeps import CollectCase
 from squat.transient import TransientCase
+from squat.transient.stability_map import StabilityMapCase
 
 CASES: dict[str, type] = {
     "piston": PistonCase,
@@ -44,6 +45,7 @@ CASES: dict[str, type] = {
     "reduced": ReducedCase,
     "transient": TransientCase,
     "race": RaceCase,
+    "stability_map": StabilityMapCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

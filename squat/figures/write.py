@@ -15,6 +15,7 @@ from squat.figures.added_mass import fig7, fig9, sensitivity
 from squat.figures.domain import fig3, fig8
 from squat.figures.equilibria import fig10
 from squat.figures.files import save
+from squat.figures.fleet import stability_map
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.race import race
@@ -23,6 +24,7 @@ from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
 from squat.quantities import STRICT
 from squat.records.coupling_kinds import RACE
+from squat.records.fleet_kinds import STABILITY_MAP
 from squat.records.kinds import (
     ADDED_MASS,
     EQUILIBRIA,
@@ -49,6 +51,7 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "fig11": (TRANSIENT, fig11),
     "fig12": (TRANSIENT, fig12),
     "fig13": (TRANSIENT, fig13),
+    "stability_map": (STABILITY_MAP, stability_map),
     "potential": (STABILITY, potential),
     "phase_portrait": (STABILITY, phase_portrait),
     "limits": (STABILITY, limits),

@@ -11,6 +11,9 @@ from squat.mesh import Mesh, Submesh
 from squat.quantities import Vector
 from squat.water import Water
 
+LOADING = ("gravity_center", "gyradius")
+"""Keys of a hull that neither its mesh nor its flow depends on."""
+
 
 def rigid_body(hull: Hull, water: Water, modes: tuple[str, ...], mooring: float = 0.0) -> RigidBody:
     """Mass of the displaced water, with its inertia about the centre of gravity."""

@@ -2,6 +2,7 @@
 
 from squat.records.files import atomic, claim, groups, read, read_group, save, save_table, stamp
 from squat.records.identity import identity, is_answer, strict_identity
+from squat.records.inputs import read_input
 from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
 from squat.records.schema import Kind, Variable, build
@@ -22,6 +23,7 @@ __all__ = [
     "plain",
     "read",
     "read_group",
+    "read_input",
     "save",
     "save_table",
     "stamp",

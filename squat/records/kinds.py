@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from squat.records.coupling_kinds import COUPLED, RACE
+from squat.records.fleet_kinds import STABILITY_MAP
 from squat.records.schema import Kind, Variable
 from squat.records.stability_kinds import LIMITS, LIMITS_MAP, STABILITY
 from squat.records.sweep import SWEEP
@@ -349,5 +350,6 @@ _ALL = (
     LIMITS_MAP,
     RACE,
     SWEEP,
+    STABILITY_MAP,
 )
 KINDS = {kind.name: kind for kind in _ALL}

@@ -3,10 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-import xarray as xr
 
 from squat import records
 from squat.coupling import (
@@ -32,13 +31,18 @@ from squat.fluid.heave import HeaveEnergy
 from squat.fluid.model import EnergyModel, FluidModel, forget
 from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES
-from squat.fluid.ship import about_another_point, about_gravity, check_stability, rigid_body
+from squat.fluid.ship import (
+    LOADING,
+    about_another_point,
+    about_gravity,
+    check_stability,
+    rigid_body,
+)
 from squat.mesh import MODES, Mesh, PositionError, Submesh, submesh
 from squat.mesh.generate import generate
 from squat.mesh.ugrid import from_dataset
 from squat.quantities import Vector
 from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH, REDUCED
-from squat.records.schema import Kind
 from squat.reduced.fluid import ReducedFluid
 from squat.reduced.greedy import reduce
 from squat.reduced.record import Loaded, load, on_patch
@@ -46,7 +50,6 @@ from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
 from squat.transient.problem import EnergyProblem, Field, ShipProblem
 
-_LOADING = ("gravity_center", "gyradius")
 _FINE = 32
 """Positions that curves of a reduced model are made from: it answers at once."""
 Water = PotentialFluid | ReducedFluid
@@ -121,7 +124,7 @@ def load_reduced(case: TransientCase) -> Loaded:
     """The reduced model of the input file, or a new one; the whole mesh where snapshots need it."""
     if case.inputs.reduced is not None:
         same = ("hull", "channel", "water", "mesh", "free_surface")
-        _input(case.inputs.reduced, REDUCED, case, same)
+        records.read_input(case.inputs.reduced, REDUCED, case, same, ignoring=LOADING)
         loaded = load(Path(case.inputs.reduced), fields=case.snapshots > 0)
         _check_motion(case, loaded.mesh.submesh)
         return loaded
@@ -212,7 +215,9 @@ def load_mesh(case: TransientCase) -> Mesh:
     """The mesh of the input file, or a new one."""
     if case.inputs.mesh is None:
         return generate(submesh(case.hull, case.channel, case.modes), case.mesh)
-    data = _input(case.inputs.mesh, MESH, case, ("hull", "channel", "mesh"))
+    data = records.read_input(
+        case.inputs.mesh, MESH, case, ("hull", "channel", "mesh"), ignoring=LOADING
+    )
     return from_dataset(data, case.modes)
 
 
@@ -222,7 +227,9 @@ def load_added_mass(case: TransientCase) -> Vector:
         value, _ = accurate(case.hull, case.channel, case.accuracy, "zero_pressure")
         matrix = case.water.density * value
     else:
-        data = _input(case.inputs.added_mass, ADDED_MASS, case, ("hull", "channel", "water"))
+        data = records.read_input(
+            case.inputs.added_mass, ADDED_MASS, case, ("hull", "channel", "water"), ignoring=LOADING
+        )
         if data.attrs["free_surface"] != "zero_pressure":
             raise InputError(
                 f"inputs.added_mass={case.inputs.added_mass}: computed with free_surface="
@@ -244,29 +251,12 @@ class Roots(NamedTuple):
 def load_roots(case: TransientCase) -> Roots:
     """Roots of (27), from the input file where it holds this current."""
     if case.inputs.equilibria is not None:
-        data = _input(case.inputs.equilibria, EQUILIBRIA, case, ("hull", "channel", "water"))
+        data = records.read_input(
+            case.inputs.equilibria, EQUILIBRIA, case, ("hull", "channel", "water"), ignoring=LOADING
+        )
         here = data["case_speed"].values == case.current
         if here.any():
             return Roots(*(float(data[f"case_{name}"][here][0]) for name in Roots._fields))
     model = OneDimensionalModel(case.hull, case.channel, case.water)
     found = model.roots(case.current)
     return Roots(float(found.stable), float(found.unstable))
-
-
-def _input(name: str, kind: Kind, case: TransientCase, parts: tuple[str, ...]) -> xr.Dataset:
-    """Dataset of an earlier task, refused where it was made for another geometry."""
-    data = records.read(Path(name), kind)
-    made = records.config_of(data)
-    for part in parts:
-        if _shape(made[part]) != _shape(records.plain(getattr(case, part))):
-            raise InputError(
-                f"inputs.{kind.name}={name}: made for another {part}; make it again for this one"
-            )
-    return data
-
-
-def _shape(part: Any) -> Any:
-    """`part` without what neither mesh nor added mass depends on."""
-    if not isinstance(part, dict):
-        return part
-    return {key: value for key, value in part.items() if key not in _LOADING}

@@ -20,6 +20,7 @@ FIGURES = {
     "limits": rules.stability.output[0],
     "basins": rules.stability.output[0],
     "limits_map": rules.limits_map.output[0],
+    "stability_map": rules.stability_map.output[0],
     "iterations": rules.iterations.output[0],
     "race": rules.race.output[0],
     "mesh_quality": rules.mesh.output[0],
