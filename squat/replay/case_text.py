@@ -75,6 +75,8 @@ def _ship(run: Run) -> list[Row]:
         Row("ship mass m", float(data["ship_mass"]), "kg/m"),
         Row("added mass m_add, Eq. (23)", float(data["added_mass"]), "kg/m"),
         Row("free surface", config["free_surface"]),
+        Row("force of the water", data.attrs["force"]),
+        Row("flow model", data.attrs["model"]),
         Row("coupling", f"{coupling['name']} ({coupling['scheme']})"),
         Row("integrator", coupling["integrator"]),
         *_loop(run, coupling),
