@@ -5,10 +5,8 @@ import pytest
 
 from squat.config import compose, validate
 from squat.fluid.potential import PotentialFluid
-from squat.mesh import submesh
-from squat.mesh.generate import generate
-from squat.reduced import reduce
 from squat.reduced.record import Loaded
+from squat.reduced.run import make
 
 HEAVE = ("mesh=coarse",)
 PITCH = ("mesh=coarse", "mesh.near=2", "mesh.far=6", "reduced=heave_pitch", "reduced.positions=16")
@@ -19,9 +17,7 @@ class Pair:
 
     def __init__(self, *overrides):
         self.case = validate(compose("reduced", *overrides)).case
-        coarse = submesh(self.case.hull, self.case.channel, self.case.reduced.box.modes)
-        self.mesh = generate(coarse, self.case.mesh)
-        made = reduce(self.mesh, 1000.0, self.case.free_surface, self.case.reduced)
+        made, self.mesh = make(self.case)
         self.made, self.model = made, made.model
         self.loaded = Loaded(made.model, self.mesh, made.basis)
 
@@ -36,12 +32,12 @@ class Pair:
 def pair():
     kept = {}
 
-    def make(*overrides):
+    def found(*overrides):
         if overrides not in kept:
             kept[overrides] = Pair(*overrides)
         return kept[overrides]
 
-    return make
+    return found
 
 
 @pytest.fixture(scope="session")
