@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from squat.errors import InputError
 from squat.figures.style import BLUE, GREEN, ORANGE, RED, single
 from squat.stability.equilibria import keel_pressure
 
@@ -34,6 +35,10 @@ def fig11(*runs: xr.Dataset) -> Figure:
 
 def fig12(run: xr.Dataset) -> Figure:
     """Dynamic pressure under the keel at the end of a run, beside the 1D value."""
+    if "hull_pressure" not in run:
+        raise InputError(
+            f"data: model={run.attrs['model']} has no pressure; give a run with model=full"
+        )
     figure, axes = single(7.0, 4.2)
     config = json.loads(run.attrs["config"])
     water, channel, hull = config["water"], config["channel"], config["hull"]

@@ -13,6 +13,7 @@ from squat import records
 from squat.errors import InputError
 from squat.figures.added_mass import fig7, fig9, sensitivity
 from squat.figures.domain import fig3, fig8
+from squat.figures.energy import energy_audit
 from squat.figures.equilibria import fig10
 from squat.figures.files import save
 from squat.figures.fleet import stability_map
@@ -52,6 +53,7 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "fig12": (TRANSIENT, fig12),
     "fig13": (TRANSIENT, fig13),
     "stability_map": (STABILITY_MAP, stability_map),
+    "energy_audit": (TRANSIENT, energy_audit),
     "potential": (STABILITY, potential),
     "phase_portrait": (STABILITY, phase_portrait),
     "limits": (STABILITY, limits),

@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+from squat import records, transient
+from squat.config import compose
+from squat.errors import InputError
 from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
+from squat.figures.energy import energy_audit
+from squat.figures.transient import fig12
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 
@@ -38,3 +43,34 @@ def test_nothing_is_cut_off_over_a_deep_bottom(case, draw):
         box = text.get_window_extent()
         assert figure.bbox.contains(box.x0, box.y0)
         assert figure.bbox.contains(box.x1, box.y1)
+
+
+def test_energy_audit_says_all_it_shows(case, tmp_path):
+    """Titles, axes and legends inside of the picture, both balances of every run in it."""
+    keys = ["mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", "current=2.0"]
+    kept = ["force=variational", "model=curves", "coupling=energy_momentum"]
+    runs = []
+    for number, more in enumerate(([], kept)):
+        config = compose("transient", *keys, *more)
+        records.save(
+            transient.run(case("transient", *keys, *more)).dataset,
+            tmp_path / f"{number}.nc",
+            config,
+            0.0,
+        )
+        runs.append(records.read(tmp_path / f"{number}.nc"))
+    figure = energy_audit(*runs)
+    FigureCanvasAgg(figure).draw()
+    for axes in figure.axes:
+        texts = axes.title, axes.xaxis.label, axes.yaxis.label, axes.get_legend()
+        for box in (text.get_window_extent() for text in texts):
+            assert figure.bbox.contains(box.x0, box.y0)
+            assert figure.bbox.contains(box.x1, box.y1)
+    assert len(figure.axes[-1].lines) == 4
+
+
+def test_pressure_that_a_run_does_not_hold_is_not_drawn(case):
+    keys = "mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", "model=curves"
+    run = transient.run(case("transient", *keys, "force=variational", "coupling=energy_momentum"))
+    with pytest.raises(InputError, match="model=curves has no pressure"):
+        fig12(run.dataset)

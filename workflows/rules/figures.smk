@@ -15,6 +15,7 @@ FIGURES = {
         f"{RESULTS}/transient/printed_{current}.nc"
         for current in RUNS["currents"][1::2]
     ],
+    "energy_audit": AUDITED,
     "potential": rules.stability.output[0],
     "phase_portrait": rules.stability.output[0],
     "limits": rules.stability.output[0],

@@ -7,6 +7,9 @@ PRINTED += [(name, RUNS["currents"][0]) for name in RUNS["readings"]]
 
 
 TRANSIENTS = [f"{RESULTS}/transient/{name}_{current}.nc" for name, current in PRINTED]
+AUDITED = [
+    f"{RESULTS}/transient/{name}_{RUNS['currents'][1]}.nc" for name in RUNS["audited"]
+]
 
 
 rule transient:
@@ -29,9 +32,11 @@ rule transient:
             "transient",
             f"current={wildcards.current}",
             f"coupling={wildcards.coupling}",
+            *RUNS["audited"].get(wildcards.coupling, []),
         ),
+        more=lambda wildcards: RUNS["audited"].get(wildcards.coupling, []),
     shell:
         "squat task=transient current={wildcards.current} coupling={wildcards.coupling}"
-        " snapshots={params.snapshots}"
+        " snapshots={params.snapshots} {params.more}"
         " 'inputs.mesh=\"{input.mesh}\"' 'inputs.added_mass=\"{input.added_mass}\"'"
         " 'inputs.equilibria=\"{input.equilibria}\"' 'out=\"{output}\"' > {log:q} 2>&1"

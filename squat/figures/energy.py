@@ -1,0 +1,80 @@
+"""The energy of ship, water and the channel's ends: what Fig. 13 shows, and what it leaves out."""
+
+import json
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from squat.figures.style import PALETTE
+from squat.quantities import Vector
+
+_SHIP = {
+    "kinetic_energy": "ship $m\\dot{w}^2/2$",
+    "potential_energy": "weight $mg(T+w)$",
+    "fluid_work": "work on the water",
+}
+_WHOLE = {
+    "kinetic_energy": "ship $m\\dot{w}^2/2$",
+    "water_energy": "water $T_f$",
+    "static_energy": "still water and weight",
+    "stream_energy": "stream's head $U_B$",
+}
+
+
+def energy_audit(*runs: xr.Dataset) -> Figure:
+    """Both balances of the first run, term by term, and what either leaves over in all runs."""
+    figure = Figure(figsize=(9.0, 7.6), layout="constrained")
+    panels = figure.subplot_mosaic([["ship", "whole"], ["rest", "rest"]])
+    first = runs[0]
+    time = first["time"].values
+    _balance(panels["ship"], time, _terms(first, _SHIP))
+    panels["ship"].set_title("Fig. 13: the ship alone", fontsize=10)
+    ends = {"minus work of the ends": -first["end_work"].values}
+    _balance(panels["whole"], time, {**_terms(first, _WHOLE), **ends})
+    panels["whole"].set_title("ship, water and the channel's ends", fontsize=10)
+    _left_over(panels["rest"], runs)
+    speed = f"$V_\\infty$ = {first.attrs['current']:g} m/s"
+    figure.suptitle(f"Energy since $t$ = 0: {speed}, {_label(first)}", fontsize=11)
+    return figure
+
+
+def _terms(run: xr.Dataset, labels: dict[str, str]) -> dict[str, Vector]:
+    """Terms less their first values, by label [J/m]."""
+    return {label: run[name].values - run[name].values[0] for name, label in labels.items()}
+
+
+def _balance(axes: Axes, time: Vector, terms: dict[str, Vector]) -> None:
+    for (label, values), color in zip(terms.items(), PALETTE, strict=False):
+        axes.plot(time, values / 1e6, color=color, label=label)
+    total = np.sum(list(terms.values()), axis=0)
+    axes.plot(time, total / 1e6, "--", color="black", label="sum")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("energy [MJ/m]")
+    axes.legend(fontsize=8, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.18))
+
+
+def _left_over(axes: Axes, runs: tuple[xr.Dataset, ...]) -> None:
+    """|sum| of both balances over m g T."""
+    for run, color in zip(runs, PALETTE, strict=False):
+        config = json.loads(run.attrs["config"])
+        weight = float(run["ship_mass"]) * config["water"]["gravity"] * config["hull"]["draft"]
+        alone = np.sum(list(_terms(run, _SHIP).values()), axis=0)
+        for values, style, label in (
+            (run["energy_residual"].values, "-", _label(run)),
+            (alone, ":", None),
+        ):
+            share = np.abs(values[1:]) / weight
+            axes.semilogy(run["time"][1:], share, style, color=color, label=label)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("|sum| over $mgT$ [-]")
+    axes.set_title(
+        "what is left over: solid, ship, water and ends; dotted, the ship alone", fontsize=10
+    )
+    axes.legend(fontsize=8, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.18))
+
+
+def _label(run: xr.Dataset) -> str:
+    model = "" if run.attrs["model"] == "full" else f", {run.attrs['model']}"
+    return f"{run.attrs['force']} force, {run.attrs['coupling']}{model}"
