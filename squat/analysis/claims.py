@@ -20,6 +20,7 @@ class Sources(NamedTuple):
     table4: xr.Dataset
     table5: xr.Dataset
     table6: xr.Dataset
+    limits: xr.Dataset
     transients: tuple[xr.Dataset, ...]
 
     def run(self, coupling: str, current: float) -> xr.Dataset | None:

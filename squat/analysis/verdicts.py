@@ -8,13 +8,14 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import published, records
-from squat.analysis import inertia_claims, transient_claims  # noqa: F401  (register their checks)
+from squat.analysis import inertia_claims, stability_claims, transient_claims  # noqa: F401  (register their checks)
 from squat.analysis.claims import CHECKS, Finding, Sources
 from squat.analysis.tables import TABLES
 from squat.analysis.verdict import Verdict, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
 from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS, TRANSIENT
+from squat.records.stability_kinds import LIMITS
 
 COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
 _TABLE_COLUMNS = ("paper", "here", "difference", "verdict", "note")
@@ -36,6 +37,8 @@ class VerdictsCase:
         Datasets of task=inertia.
     table6
         Dataset of task=added_mass.
+    limits
+        Dataset of task=limits.
     transients
         Datasets of task=transient.
     """
@@ -46,6 +49,7 @@ class VerdictsCase:
     table4: str
     table5: str
     table6: str
+    limits: str
     transients: Annotated[tuple[str, ...], Field(min_length=1)]
 
 
@@ -101,6 +105,7 @@ def write_verdicts(case: VerdictsCase, path: Path) -> None:
         table4=records.read(Path(case.table4), INERTIA),
         table5=records.read(Path(case.table5), INERTIA),
         table6=records.read(Path(case.table6), ADDED_MASS),
+        limits=records.read(Path(case.limits), LIMITS),
         transients=tuple(records.read(Path(name), TRANSIENT) for name in case.transients),
     )
     rows = [row for name in case.tables for row in table_rows(Path(name))]

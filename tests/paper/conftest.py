@@ -10,6 +10,7 @@ from squat.config import compose, validate
 from squat.fluid import inertia
 from squat.fluid import run as added_mass
 from squat.piston import study
+from squat.stability import limits
 from squat.stability.run import run
 
 
@@ -39,5 +40,6 @@ def sources():
         table4=computed(inertia.run, "inertia", f"{cells}table4_small"),
         table5=computed(inertia.run, "inertia", f"{cells}table5_small"),
         table6=computed(added_mass.run, "added_mass"),
+        limits=computed(limits.run, "limits", "accuracy=study"),
         transients=tuple(coupled(*one) for one in RUNS),
     )

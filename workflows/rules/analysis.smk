@@ -36,6 +36,7 @@ rule verdicts:
         table4=f"{ADDED_MASS}/table4.nc",
         table5=f"{ADDED_MASS}/table5.nc",
         table6=f"{ADDED_MASS}/table6.nc",
+        limits=rules.limits.output[0],
         transients=TRANSIENTS,
     output:
         f"{RESULTS}/tables/verdicts.csv",
