@@ -3,6 +3,7 @@
 import logging
 import os
 import re
+import shutil
 import tempfile
 import threading
 import time
@@ -30,6 +31,7 @@ from squat.progress import hide, progress
 Outcome = Literal["done", "skipped", "failed"]
 _NUMBER = re.compile(r"[-+.\deE]+")
 _log = logging.getLogger(__name__)
+_MARKS = ".jobs-"
 _LOOK = 0.2
 """Seconds between two looks at what has ended."""
 
@@ -76,9 +78,9 @@ class Jobs(Callback):
     def on_multirun_start(self, config: DictConfig, **kwargs: Any) -> None:
         """Write the plan, and watch the jobs end."""
         start_logging(config.log_level)
-        named = _named(config)
-        sweeps.write_plan(Path(config.hydra.sweep.dir), config.task, named)
-        Jobs._board = Board(len(named))
+        named, folder = _named(config), Path(config.hydra.sweep.dir).resolve()
+        sweeps.write_plan(folder, config.task, named)
+        Jobs._board = Board(folder, list(named))
         self.marks = Jobs._board.folder.name
 
     def on_job_start(self, config: DictConfig, **kwargs: Any) -> None:
@@ -86,12 +88,12 @@ class Jobs(Callback):
         if not self.marks:
             return
         hide()
-        if os.getpid() != self.main:
+        if os.getppid() == self.main:
             threading.Thread(target=_die_with, args=(self.main,), daemon=True).start()
 
     def on_job_end(self, config: DictConfig, job_return: JobReturn, **kwargs: Any) -> None:
-        """Mark the end where the main process looks."""
-        if self.marks:
+        """Mark the end where the main process looks, unless that is gone."""
+        if self.marks and Path(self.marks).is_dir():
             (Path(self.marks) / f"{config.hydra.job.num}.{Jobs.outcome}").touch()
 
     @classmethod
@@ -121,11 +123,22 @@ def _die_with(process: int) -> None:
 
 
 class Board:
-    """Where jobs mark their ends, in whatever process, and a thread that shows how many have."""
+    """Where jobs mark their ends, on whatever node, and a thread that shows how many have.
 
-    def __init__(self, total: int) -> None:
-        self.folder = tempfile.TemporaryDirectory(prefix="squat-")
-        self._total = total
+    Parameters
+    ----------
+    sweep
+        Folder of the multirun.
+    names
+        Folders of its jobs in there.
+    """
+
+    def __init__(self, sweep: Path, names: list[str]) -> None:
+        for old in sweep.glob(f"{_MARKS}*"):  # of a sweep that was killed
+            shutil.rmtree(old, ignore_errors=True)
+        self.folder = tempfile.TemporaryDirectory(dir=sweep, prefix=_MARKS)
+        self._jobs = [sweep / name for name in names]
+        self._total = len(names)
         self._seen: set[str] = set()
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._show, daemon=True)
@@ -135,9 +148,8 @@ class Board:
         """Show the last jobs; return whether any failed."""
         self._over.set()
         self._thread.join()
-        failed = bool(list(Path(self.folder.name).glob("*.failed")))
         self.folder.cleanup()
-        return failed
+        return any((job / sweeps.FAILED).exists() for job in self._jobs)
 
     def _show(self) -> None:
         for _ in progress(self._ends(), self._total, "jobs", note=self._note, log=_log):

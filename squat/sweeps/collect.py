@@ -66,7 +66,7 @@ def collect(case: CollectCase, compose: Compose) -> xr.Dataset:
     data |= {axis.name: np.array(axis.values) for axis in axes}
     data |= _labels(cells, shape)
     own = {name: [list(variable.dims), variable.units] for name, variable in variables.items()}
-    return records.build(
+    dataset = records.build(
         kind,
         data,
         {
@@ -76,6 +76,9 @@ def collect(case: CollectCase, compose: Compose) -> xr.Dataset:
             **_lost(jobs, cells, axes),
         },
     )
+    for axis in axes:
+        del dataset[axis.name].attrs["units"]  # conf/ tells them, beside the key, to readers only
+    return dataset
 
 
 def _cells(jobs: Sequence[Job], axes: Sequence[Axis], runs: str) -> dict[tuple[int, ...], Job]:

@@ -70,6 +70,8 @@ def test_every_value_stands_where_its_parameters_say(job, joined):
             outside[inside] = False
             assert np.isnan(found[outside]).all(), name
     assert json.loads(sweep.attrs["missing"]) == []
+    assert sweep["position"].attrs["units"] == "m"
+    assert "units" not in sweep["mass_ratio"].attrs
 
 
 def test_a_coordinate_stays_one_dimensional_only_where_all_jobs_agree(job, joined):

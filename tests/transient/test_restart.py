@@ -22,6 +22,7 @@ from squat.records import Segments, read, read_group, save, strict_identity
 from squat.records.provenance import digest
 from squat.records.trees import copy, flatten, rebuild
 from squat.transient.ending import Ending
+from squat.transient.parts import prepare
 from squat.transient.run import run
 
 KILLS = 20
@@ -246,8 +247,9 @@ def test_turning_point_ends_a_run_that_is_otherwise_the_same(short):
     assert turned["heave"].values.tobytes() == whole["heave"].values[:count].tobytes()
 
 
-def test_unresolved_velocities_are_no_turning_point():
-    ending = Ending(lowest=-9.8, resolved=1e-6)
+def test_unresolved_velocities_are_no_turning_point(short):
+    case, _ = short("time.until=turn")
+    ending = replace(Ending.of(case, prepare(case)), resolved=1e-6)
     for velocity in (1e-7, -1e-7, 5e-7, -9e-7):
         ending.see(np.array([-0.1]), np.array([velocity]))
     assert ending.status is None
