@@ -163,6 +163,7 @@ def test_a_damaged_segment_is_noticed_and_done_again(short, caplog, harm, which)
         ("coupling=newmark", "accelerator@coupling.accelerator=monolithic"),
         ("coupling=consistent", "force=variational"),
         ("coupling=energy_momentum", "force=variational"),
+        ("modes=[heave,pitch]", "coupling=consistent"),
         ("coupling=energy_momentum", "force=variational", "model=curves"),
     ],
 )
