@@ -196,13 +196,17 @@ def draw(nodes, times, slopes):
     left.loglog(nodes, np.full(len(nodes), times["reduced"][0]), "k:", lw=1)
     runs, evaluations = np.geomspace(1, 1e4, 30), 210 * 4
     for place, style in ((1, "-"), (-1, "--")):
-        size = f"{nodes[place]:.0e}".replace("e+0", "e")
         full = runs * evaluations * times["fast"][place]
         cheap = times["offline"][place] + runs * evaluations * times["reduced"][place]
-        right.loglog(runs, full, style, color=ORANGE, label=f"full, {size} nodes")
-        right.loglog(runs, cheap, style, color=GREEN, label=f"reduced, {size} nodes")
+        for name, cost, color in (("full", full, ORANGE), ("reduced", cheap, GREEN)):
+            ends = [np.log(cost[i + 1] / cost[i]) / np.log(runs[1] / runs[0]) for i in (0, -2)]
+            label = f"{name}, {nodes[place]} nodes: exponent {ends[0]:.2f} to {ends[1]:.2f}"
+            right.loglog(runs, cost, style, color=color, label=label)
     left.set(xlabel="nodes", ylabel="time for one position [s]")
-    right.set(xlabel="runs of 210 steps, 4 iterations each", ylabel="time, offline included [s]")
+    right.set(
+        xlabel="runs of 210 steps, 4 iterations each",
+        ylabel="time from the costs on the left, offline included [s]",
+    )
     left.legend(fontsize=8)
     right.legend(fontsize=8)
     return figure

@@ -57,6 +57,15 @@ def test_bound_holds_where_current_and_motion_have_two_free_surfaces(pair):
     assert np.all(two.model.coefficients(two.positions(1)[0]).b == 0)
 
 
+@pytest.mark.parametrize(
+    "keys", [("hull=lewis",), ("hull=v",), ("channel.bottom=[[10,0],[20,2]]", "hull=half_ellipse")]
+)
+def test_bound_holds_for_any_hull_over_any_bottom(pair, keys):
+    two = pair("mesh=coarse", "mesh.near=2", "mesh.far=5", "reduced.positions=6", *keys)
+    errors, certified, _ = errors_and_bounds(two, two.positions(40))
+    assert np.all(errors <= certified)
+
+
 def test_heave_model_has_energies_and_forces_to_1e8_from_20_solves(heave):
     assert len(heave.made.rounds) <= 20
     errors, _, exact = errors_and_bounds(heave, heave.positions())
