@@ -60,7 +60,7 @@ class Chart:
         strips = rr.LineStrips2D.columns(
             strips=[box, *grid],
             colors=rgba(GREY, *[f"{GREY}55"] * len(grid)),
-            radii=rr.Radius.ui_points([0.75] + [0.4] * len(grid)),
+            radii=rr.Radius.ui_points([0.8] + [0.4] * len(grid)),
         )
         recorder.static(f"{axes}/frame", strips.partition([len(grid) + 1]))
         below = self.canvas(across, np.full(len(across), y0)) + np.array([0, 1])
