@@ -9,6 +9,7 @@ from squat.errors import InputError
 from squat.reduced import run as make
 from squat.transient.run import run
 
+MODELS = ("full", "reduced")
 SAME = 1e-7
 """m: promised for w(t)."""
 COMMON = ("current=2", "time.periods=0.4", "coupling.criterion.tolerance=1e-10")
@@ -26,12 +27,20 @@ COMMON = ("current=2", "time.periods=0.4", "coupling.criterion.tolerance=1e-10")
     ],
 )
 def test_reduced_run_is_the_full_one(ship, keys):
-    full, reduced = (run(ship(*COMMON, *keys, f"model={m}")).dataset for m in ("full", "reduced"))
+    full, reduced = (run(ship(*COMMON, *keys, f"model={m}")).dataset for m in MODELS)
     assert full.attrs["status"] == reduced.attrs["status"] == "completed"
     assert float(abs(full["heave"] - reduced["heave"]).max()) < SAME
     assert set(full.variables) == set(reduced.variables)
     pressure = abs(full["hull_pressure"] - reduced["hull_pressure"]).max()
     assert float(pressure / abs(full["hull_pressure"]).max()) < 1e-6
+
+
+def test_reduced_run_with_pitch_is_the_full_one(ship):
+    keys = ("modes=[heave,pitch]", "initial_pitch=0.001", "reduced=heave_pitch", "mesh.near=2")
+    how = ("force=variational", "coupling=energy_momentum", "current=1", "time.periods=0.15")
+    full, reduced = (run(ship(*keys, *how, "mesh.far=6", f"model={m}")).dataset for m in MODELS)
+    assert float(abs(full["heave"] - reduced["heave"]).max()) < SAME
+    assert float(abs(full["pitch"] - reduced["pitch"]).max()) < SAME
 
 
 def test_run_that_diverges_or_grounds_does_so_on_the_reduced_model(ship):
