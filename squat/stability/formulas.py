@@ -138,7 +138,7 @@ def huuska(ship: Particulars) -> Answer:
         _within("H/T", ship.depth / ship.draft, 1.1, 2.0),
         _within("Fr_h", ship.froude, 0, 0.7),
     )
-    return _unless(refused, lambda: ((745 * S + 76) / 100 if S > 0.03 else 1.0) * _slender(ship))
+    return _unless(refused, lambda: (7.45 * S + 0.76 if S > 0.03 else 1.0) * _slender(ship))
 
 
 def eryuzlu(ship: Particulars) -> Answer:
