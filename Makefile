@@ -19,7 +19,7 @@ UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-report format lock benchmark clean
+.PHONY: help environment reproduce test test-report test-slurm format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -49,6 +49,9 @@ test: environment  ## formatter, linter, types, architecture and all tests
 
 test-report: environment  ## results/report.html in headless Chromium
 	$(BIN)/pytest tests/report -m browser
+
+test-slurm: environment  ## the graph and a sweep on a real SLURM of two nodes on this machine (root)
+	PATH="$(CURDIR)/$(BIN):$$PATH" pytest tests/slurm -m slurm -p no:xdist
 
 format: environment  ## rewrite the code in the house format
 	$(BIN)/ruff format .
