@@ -19,7 +19,7 @@ UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-report test-slurm format lock benchmark clean
+.PHONY: help environment reproduce test test-report test-slurm docs format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -52,6 +52,9 @@ test-report: environment  ## results/report.html in headless Chromium
 
 test-slurm: environment  ## the graph and a sweep on a real SLURM of two nodes on this machine (root)
 	PATH="$(CURDIR)/$(BIN):$$PATH" pytest tests/slurm -m slurm -p no:xdist
+
+docs: environment  ## build the pages of docs/ in build/docs/index.html
+	$(BIN)/sphinx-build -W --keep-going -q -b html docs build/docs
 
 format: environment  ## rewrite the code in the house format
 	$(BIN)/ruff format .
