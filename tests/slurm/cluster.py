@@ -116,7 +116,8 @@ class Cluster:
     def jobs(self) -> list[dict[str, str]]:
         """All jobs so far (elements of arrays one by one): their fields by name."""
         lines = self.ask("scontrol", "show", "jobs", "-o").splitlines()
-        pairs = ([word.partition("=") for word in line.split()] for line in lines)
+        found = (line for line in lines if line.startswith("JobId="))
+        pairs = ([word.partition("=") for word in line.split()] for line in found)
         return [{key: value for key, _, value in words} for words in pairs]
 
     def __exit__(self, *error):
