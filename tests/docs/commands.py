@@ -1,5 +1,6 @@
 """Run lines of `squat` in this process: a page of twenty commands imports the solvers once."""
 
+import os
 import shlex
 import sys
 
@@ -9,7 +10,9 @@ CHEAPER = {
     "transient": "mesh=coarse accuracy.near=0.4 time.periods=0.1",
     "mesh": "mesh=coarse",
     "added_mass": "mesh=coarse accuracy.near=0.4",
+    "reduced": "mesh=coarse",
     "stability": "mesh=coarse portrait=small",
+    "stability_map": "mesh=coarse cases/map@_global_=small",
     "race": "cases/race@cells=small",
 }
 """Added to a command of a page, unless it says otherwise: its keys are tried, not its time."""
@@ -18,9 +21,13 @@ CHEAPER = {
 def command(line: str) -> None:
     """Run one line as the shell would; anything but exit code 0 is an error."""
     words = shlex.split(line, comments=True)
+    if words[0] == "cd":
+        os.chdir(words[1])
+        return
     task = next((word[5:] for word in words if word.startswith("task=")), "")
     given = {word.split("=")[0] for word in words}
-    extra = [word for word in CHEAPER.get(task, "").split() if word.split("=")[0] not in given]
+    cheaper = "" if "-m" in words else CHEAPER.get(task, "")  # it would name a sweep's folders
+    extra = [word for word in cheaper.split() if word.split("=")[0] not in given]
     sys.argv = words + extra
     try:
         main()

@@ -34,7 +34,7 @@ def script(page):
         words = [line for line in code.splitlines() if line.strip() and not line.startswith(" ")]
         if language == "python":
             lines.append(code)
-        elif all(line.startswith("squat ") for line in words):
+        elif all(line.startswith(("squat ", "cd ")) for line in words):
             lines += [f"command({line!r})" for line in words]
         else:
             shell = ["bash", "-euo", "pipefail", "-c", code]
