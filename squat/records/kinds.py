@@ -201,6 +201,7 @@ SENSITIVITY = Kind(
     ("recommended_size", "recommended_distance", "tolerance"),
 )
 
+_CURVE = ("curve_point",)
 TRANSIENT = Kind(
     "transient",
     2,
@@ -247,6 +248,30 @@ TRANSIENT = Kind(
         "end_work": Variable(_TIME, "J m-1", "work of In and Out since t = 0, V (V a + b w')"),
         "energy_residual": Variable(
             _TIME, "J m-1", "energy of ship and water gained since t = 0 less end_work"
+        ),
+        "initial_energy": Variable(
+            (),
+            "J m-1",
+            "E = q'^T M q'/2 + U at t = 0; energy_residual is its change",
+            required=False,
+        ),
+        "curve_heave": Variable(
+            _CURVE,
+            "m",
+            "heave of the curves; all five only where heave is free alone",
+            required=False,
+        ),
+        "curve_inertia": Variable(
+            _CURVE, "kg m-1", "M(w) = m + c(w), inertia of ship and water", required=False
+        ),
+        "curve_potential": Variable(
+            _CURVE, "J m-1", "U(w) at this current; 0 at rest in still water", required=False
+        ),
+        "stable_equilibrium": Variable(
+            (), "m", "highest minimum of U on the run's mesh; NaN: none", required=False
+        ),
+        "unstable_equilibrium": Variable(
+            (), "m", "maximum of U below stable_equilibrium; NaN: none", required=False
         ),
         "hull_pressure": Variable(
             ("time", "hull_node"), "Pa", "pressure less atmospheric", required=False

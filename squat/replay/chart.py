@@ -11,14 +11,15 @@ from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
 from squat.replay.style import GREY, PALE, rgba, ticks
 
-_WIDTH, _HEIGHT = 160.0, 60.0
+_WIDTH = 160.0
+_STILL, _DOTS = 25.0, 45.0  # in the viewer's order of drawing, where lines are 30
 _HANGING = 5.0  # a label hangs so far below its point in the layout
 _MARGIN = (24.0, 8.0, 14.0, 24.0)  # left, right, top, bottom
 
 
 @dataclass(frozen=True)
 class Chart:
-    """Axes of a diagram: its entity, ranges and labels (with units) of x and y."""
+    """Axes of a diagram: its entity, ranges and labels (with units) of x and y; 160 wide."""
 
     name: str
     title: str
@@ -26,6 +27,7 @@ class Chart:
     y: tuple[float, float]
     x_label: str
     y_label: str
+    height: float = 60.0
 
     def canvas(self, x: Vector, y: Vector) -> Vector:
         """Points (..., 2) of the 2D view, y downward; what lies outside is cut to the frame."""
@@ -33,7 +35,7 @@ class Chart:
             np.clip((values - low) / (high - low), 0, 1)
             for values, (low, high) in ((x, self.x), (y, self.y))
         ]
-        return np.stack([places[0] * _WIDTH, (1 - places[1]) * _HEIGHT], axis=-1)
+        return np.stack([places[0] * _WIDTH, (1 - places[1]) * self.height], axis=-1)
 
     def view(self, recorder: Recorder, runs: tuple[Run, ...]) -> rrb.View:
         """Send the axes, and return the view with the curves of `runs`."""
@@ -46,7 +48,7 @@ class Chart:
             contents=[f"+ /{path}/**" for path in paths],
             name=self.title,
             visual_bounds=rrb.VisualBounds2D(
-                x_range=(-left, _WIDTH + right), y_range=(-top, _HEIGHT + bottom)
+                x_range=(-left, _WIDTH + right), y_range=(-top, self.height + bottom)
             ),
         )
 
@@ -65,7 +67,7 @@ class Chart:
         recorder.static(f"{axes}/frame", strips.partition([len(grid) + 1]))
         below = self.canvas(across, np.full(len(across), y0)) + np.array([0, 1])
         beside = self.canvas(np.full(len(up), x0), up) - np.array([9, _HANGING])
-        names = [[_WIDTH / 2, _HEIGHT + 11], [_WIDTH / 2, -11]]
+        names = [[_WIDTH / 2, self.height + 11], [_WIDTH / 2, -11]]
         points = np.concatenate([below, beside, names])
         texts = [f"{value:g}" for value in (*across, *up)] + [self.x_label, self.y_label]
         recorder.static(f"{axes}/numbers", _labels(points, texts))
@@ -79,6 +81,55 @@ class Chart:
         style = rr.LineStrips2D.columns(colors=rgba(color), radii=rr.Radius.ui_points([1.0]))
         recorder.static(path, style)
         recorder.rows(path, clock, rr.LineStrips2D.columns(strips=strips))
+
+    def still(
+        self, recorder: Recorder, run: Run, name: str, lines: list[Vector], color: str, width: float
+    ) -> None:
+        """Lines (n, 2) that hold at all times; what leaves the frame is left out."""
+        strips = [self.canvas(*piece.T) for line in lines for piece in self._within(line)]
+        if not strips:
+            return
+        style = rr.LineStrips2D.columns(
+            colors=rgba(color), radii=rr.Radius.ui_points([width / 2]), draw_order=[_STILL]
+        )
+        path = entity(run, "profiles", self.name, name)
+        recorder.static(path, rr.LineStrips2D.columns(strips=strips).partition([len(strips)]))
+        recorder.static(path, style)
+
+    def _within(self, line: Vector) -> list[Vector]:
+        """Pieces of a line (n, 2) inside the frame."""
+        low, high = np.array([self.x, self.y]).T
+        inside = np.all((low <= line) & (line <= high), axis=1)
+        starts = np.flatnonzero(np.diff(inside)) + 1
+        pieces = zip(np.split(line, starts), inside[[0, *starts]], strict=True)
+        return [piece for piece, seen in pieces if seen and len(piece) > 1]
+
+    def point(
+        self, recorder: Recorder, run: Run, name: str, clock: Clock, points: Vector, color: str
+    ) -> None:
+        """A point for each row of `clock`: (rows, 2) in data coordinates."""
+        path = entity(run, "profiles", self.name, name)
+        recorder.static(path, _dot(color))
+        recorder.rows(path, clock, rr.Points2D.columns(positions=self.canvas(*points.T)))
+
+    def mark(
+        self, recorder: Recorder, run: Run, name: str, place: tuple[float, float], color: str
+    ) -> None:
+        """A point that stands still, with its name; none where it lies outside the frame."""
+        (x0, x1), (y0, y1) = self.x, self.y
+        if not (x0 <= place[0] <= x1 and y0 <= place[1] <= y1):
+            return
+        path = entity(run, "profiles", self.name, name)
+        position = self.canvas(*np.array(place))
+        recorder.static(path, rr.Points2D.columns(positions=[position], labels=[name]))
+        recorder.static(path, rr.Points2D.columns(show_labels=[True]))
+        recorder.static(path, _dot(color))
+
+
+def _dot(color: str) -> rr.ComponentColumnList:
+    return rr.Points2D.columns(
+        colors=rgba(color), radii=rr.Radius.ui_points([5.0]), draw_order=[_DOTS]
+    )
 
 
 def _labels(points: Vector, texts: list[str]) -> rr.ComponentColumnList:

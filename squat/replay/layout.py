@@ -1,4 +1,7 @@
-"""The first look of a recording: pictures over curves on the left, the step shown on the right."""
+"""The first look of a recording: pictures over curves on the left, the step shown on the right.
+
+Where the energy is stands in a second tab on the left.
+"""
 
 import rerun.blueprint as rrb
 
@@ -41,7 +44,10 @@ def _left(views: dict[Place, list[rrb.View]]) -> rrb.Container:
         shares = [1.0, 1.4]
     many = len(pictures) > _PICTURES_AT_ONCE
     above = rrb.Tabs(*pictures) if many else rrb.Vertical(*pictures)
-    return rrb.Vertical(above, *below, row_shares=shares)
+    motion = rrb.Vertical(above, *below, row_shares=shares, name="Motion")
+    if not views[Place.ENERGY]:
+        return motion
+    return rrb.Tabs(motion, rrb.Grid(*views[Place.ENERGY], grid_columns=2, name="Energy"))
 
 
 def _right(views: dict[Place, list[rrb.View]]) -> rrb.Container:

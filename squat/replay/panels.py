@@ -32,6 +32,7 @@ class Place(Enum):
     DIFFERENCE = "curves of what differs, below those"
     PROFILE = "distributions at the time shown, on the right"
     TEXT = "text, on the right"
+    ENERGY = "where the energy is, in a tab of its own"
 
 
 class Panel(NamedTuple):

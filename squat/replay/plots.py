@@ -10,11 +10,8 @@ import numpy as np
 import rerun.blueprint as rrb
 import xarray as xr
 
-from squat.quantities import Vector
-from squat.replay.panels import Draw, Place, panel
-from squat.replay.recorder import Recorder, entity
-from squat.replay.runs import Clock, Run
-from squat.replay.style import GREEN, ORANGE, PURPLE, RED, SKY, run_color
+from squat.replay.panels import Place
+from squat.replay.style import GREEN, ORANGE, PURPLE, RED, SKY, YELLOW
 
 Values = Callable[[xr.Dataset], xr.DataArray]
 
@@ -38,7 +35,8 @@ class Plot(NamedTuple):
     """One diagram over time: entity, title with unit, variables, lines.
 
     `least_span` of the vertical axis keeps rounding from filling the diagram; `constants` is the
-    common name of constant lines where there are several runs.
+    common name of constant lines where there are several runs. Differences of a plot that stands
+    elsewhere than in `Place.PLOT` stand beside it.
     """
 
     name: str
@@ -48,6 +46,7 @@ class Plot(NamedTuple):
     legend: rrb.Corner2D = rrb.Corner2D.RightTop
     least_span: float = 0.0
     constants: str = ""
+    place: Place = Place.PLOT
 
 
 def variable(name: str) -> Values:
@@ -75,6 +74,7 @@ def failed_contraction(data: xr.Dataset) -> xr.DataArray:
     return data.get("failed_contraction", xr.DataArray(np.nan))
 
 
+_WATER = ("water_energy", "static_energy", "stream_energy")
 PLOTS = (
     Plot(
         "heave",
@@ -111,7 +111,7 @@ PLOTS = (
     ),
     Plot(
         "ship_energies",
-        "Ship energies since start [MJ/m]",
+        "Balance of the ship alone, Fig. 13, since start [MJ/m]",
         ("kinetic_energy", "potential_energy", "fluid_work"),
         (
             Curve("kinetic", since_start("kinetic_energy"), "E_c", RED, compared=True),
@@ -124,6 +124,21 @@ PLOTS = (
                 PURPLE,
             ),
         ),
+        place=Place.ENERGY,
+    ),
+    Plot(
+        "energy_audit",
+        "Balance of ship, water and ends since start [MJ/m]",
+        ("kinetic_energy", *_WATER, "end_work", "energy_residual"),
+        (
+            Curve("ship", since_start("kinetic_energy"), "ship m w'^2/2", RED),
+            Curve("water", since_start("water_energy"), "water T_f", SKY),
+            Curve("static", since_start("static_energy"), "still water and weight", GREEN),
+            Curve("stream", since_start("stream_energy"), "stream's head U_B", YELLOW),
+            Curve("ends", lambda data: -data["end_work"] / 1e6, "minus work of the ends", ORANGE),
+            Curve("sum", lambda data: data["energy_residual"] / 1e6, "sum", PURPLE, compared=True),
+        ),
+        place=Place.ENERGY,
     ),
     Plot(
         "piston_energies",
@@ -153,92 +168,3 @@ PLOTS = (
         least_span=0.02,
     ),
 )
-
-
-def time_view(plot: Plot, title: str, paths: list[str], shown: list[Vector]) -> rrb.View:
-    """A diagram over time of all entities below `paths`, which hold the values `shown`."""
-    return rrb.TimeSeriesView(
-        origin="/",
-        contents=[f"+ /{path}/**" for path in paths],
-        name=title,
-        axis_x=rrb.TimeAxis(link=rrb.components.LinkAxis.LinkToGlobal),
-        axis_y=_axis(shown, plot.least_span),
-        plot_legend=rrb.PlotLegend(plot.legend),
-    )
-
-
-def _axis(shown: list[Vector], least: float) -> rrb.ScalarAxis | None:
-    """Axis around `shown` as wide as `least`; None, the viewer's choice, where they need more."""
-    told = np.concatenate([values[np.isfinite(values)] for values in shown])
-    if not told.size or np.ptp(told) >= least:
-        return None
-    middle = float(told.max() + told.min()) / 2
-    return rrb.ScalarAxis(range=(middle - least / 2, middle + least / 2))
-
-
-def _overlaid(plot: Plot) -> Draw:
-    """Every curve of a single run; of several the compared ones, and what is constant."""
-
-    def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
-        shown = []
-        for number, run in enumerate(runs):
-            for curve in plot.curves:
-                values = curve.values(run.data)
-                if run.label and not curve.compared:
-                    continue
-                clock, told = _rows(run, values)
-                shown.append(told)
-                color = run_color(number) if run.label else curve.color
-                path = entity(run, "plots", plot.name, curve.name)
-                several = bool(run.label) and not values.ndim
-                label = run.said(plot.constants if several else curve.label)
-                recorder.series(path, clock, told, label, color, curve.width)
-        paths = [entity(run, "plots", plot.name) for run in runs]
-        return [time_view(plot, plot.title, paths, shown)]
-
-    return draw
-
-
-def _rows(run: Run, values: xr.DataArray) -> tuple[Clock, Vector]:
-    """Rows of a curve; a constant has one at either end."""
-    if values.ndim:
-        return run.steps, np.asarray(values.values, float)
-    return run.span, np.full(len(run.span.time), float(values))
-
-
-def _differing(plot: Plot) -> Draw:
-    """What compared curves differ by from the first run's."""
-
-    def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
-        first, *others = runs
-        paths, shown = [], []
-        for number, run in enumerate(others, 1):
-            for curve in _varying(plot, run):
-                clock, values = difference(first, run, curve.values)
-                shown.append(values)
-                path = entity(run, "differences", plot.name, curve.name)
-                label = f"{run.label} less {first.label}"
-                name = label if len(_varying(plot, run)) == 1 else f"{curve.label}: {label}"
-                recorder.series(path, clock, values, name, run_color(number))
-            paths.append(entity(run, "differences", plot.name))
-        return [time_view(plot, f"Δ {plot.title}", paths, shown)] if others else []
-
-    return draw
-
-
-def _varying(plot: Plot, run: Run) -> list[Curve]:
-    return [curve for curve in plot.curves if curve.compared and curve.values(run.data).ndim]
-
-
-def difference(first: Run, run: Run, values: Values) -> tuple[Clock, Vector]:
-    """`run` less `first` at the first's steps within both runs; linear between the other's."""
-    time, other = first.steps.time, run.steps.time
-    common = time <= other[-1] * (1 + 1e-12)
-    clock = first.steps.at(common)
-    there = np.interp(clock.time, other, np.asarray(values(run.data).values, float))
-    return clock, there - np.asarray(values(first.data).values, float)[common]
-
-
-for _plot in PLOTS:
-    panel(_plot.name, Place.PLOT, _plot.needs)(_overlaid(_plot))
-    panel(f"{_plot.name} differences", Place.DIFFERENCE, _plot.needs)(_differing(_plot))

@@ -1,5 +1,7 @@
 """Colours of the recordings: Okabe and Ito's, in order of contrast on the viewer's ground."""
 
+import math
+
 import matplotlib as mpl
 import numpy as np
 from matplotlib.colors import to_rgba_array
@@ -45,3 +47,21 @@ def ticks(low: float, high: float, count: int = 6) -> Vector:
     """Round numbers within [low, high]."""
     found = np.asarray(MaxNLocator(count, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
     return np.asarray(found[(found >= low) & (found <= high)])
+
+
+_MOST, _LEAST = 14, 3
+
+
+def ticked(low: float, high: float) -> tuple[float, float]:
+    """The range [low, high], widened where the viewer would number too few of its lines.
+
+    Its time plots have lines at multiples of powers of ten, and room for the numbers of some
+    fourteen: of -9 to 9 it would number 0 alone.
+    """
+    if not high > low:
+        return low, high
+    step = 10.0 ** math.ceil(math.log10((high - low) / _MOST))
+    if math.floor(high / step) - math.ceil(low / step) + 1 >= _LEAST:
+        return low, high
+    margin = 0.04 * step
+    return math.floor(low / step) * step - margin, math.ceil(high / step) * step + margin

@@ -6,7 +6,14 @@ import rerun as rr
 
 import squat
 from squat import records
-from squat.replay import case_text, channel, plots, profiles, tube  # noqa: F401  (register panels)
+from squat.replay import (  # noqa: F401  (register panels)
+    case_text,
+    channel,
+    overlay,
+    portrait,
+    profiles,
+    tube,
+)
 from squat.replay.case import ReplayCase
 from squat.replay.layout import blueprint
 from squat.replay.panels import draw_all

@@ -34,8 +34,9 @@ def stack(
     first = next(iter(datasets.values()))
     present = [name for name in source.variables if any(name in d for d in datasets.values())]
     common = {name for name in present if name in first.coords and _agree(name, datasets)}
-    apart = {name for name in first.dims if name in present and name not in common}
-    sizes = {dim: max(d.sizes.get(dim, 0) for d in datasets.values()) for dim in first.dims}
+    all_dims = {str(dim) for d in datasets.values() for dim in d.dims}
+    apart = {name for name in all_dims if name in present and name not in common}
+    sizes = {dim: max(d.sizes.get(dim, 0) for d in datasets.values()) for dim in all_dims}
     variables, data = {}, {}
     for name in present:
         declared = source.variables[name]

@@ -30,12 +30,13 @@ def energies(
     }
 
 
-def audit(ship: ShipEnergy, columns: Columns) -> dict[str, Vector]:
+def audit(ship: ShipEnergy, columns: Columns) -> dict[str, Vector | float]:
     """Energy of ship and water, term by term, and what the ends of the channel feed, (time,).
 
     d/dt (T_ship + T_f + U_h + m g z_G + U_B) = V d/dt (V a + b.q'), so that the work of the ends
     since t = 0 is V (V a + b.q') less its first value, without any quadrature; the residual is
-    what the run has gained or lost for no reason (docs/theory/energy.md).
+    what the run has gained or lost for no reason (docs/theory/energy.md). With `initial_energy` it
+    gives E = q'^T M q'/2 + U at any time.
     """
     motions = map(Motion._make, zip(*columns[:3], strict=True))
     terms = [ship.energies(motion) for motion in motions]
@@ -48,4 +49,5 @@ def audit(ship: ShipEnergy, columns: Columns) -> dict[str, Vector]:
         "end_power": power,
         "end_work": supply - supply[0],
         "energy_residual": kept - kept[0],
+        "initial_energy": float(kept[0]),
     }

@@ -15,6 +15,7 @@ from squat.transient.audit import audit, energies
 from squat.transient.case import TransientCase
 from squat.transient.factors import predicted_contraction
 from squat.transient.history import Columns, History
+from squat.transient.landscape import landscape
 from squat.transient.parts import Parts, curves, load_roots, ship_energy
 
 _FORCES = {"surge": "surge_force", "heave": "fluid_force", "pitch": "pitch_moment"}
@@ -40,6 +41,7 @@ def dataset(history: History) -> xr.Dataset:
         **energies(case, parts, time, columns),
         "fluid_inertia": _inertia(water, columns.position, case.place),
         **audit(ship_energy(case, parts.fluid, water), columns),
+        **landscape(case, water),
         "predicted_contraction": predicted_contraction(case, parts, water, columns),
         **(_pressure(parts, columns) if case.model != "curves" else {}),
         "stable_root": roots.stable,

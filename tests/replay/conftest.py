@@ -51,6 +51,14 @@ def bare(written):
 
 
 @pytest.fixture(scope="session")
+def kept(written):
+    """A transient whose steps keep the energy, over most of a swing at 2.25 m/s."""
+    how = ("force=variational", "model=curves", "coupling=energy_momentum")
+    keys = (key for key in COARSE if not key.startswith(("current", "time")))
+    return written("kept", "transient", *keys, *how, "current=2.25", "time.periods=2")
+
+
+@pytest.fixture(scope="session")
 def tube(written):
     return written("tube", "piston", "time.periods=0.5")
 

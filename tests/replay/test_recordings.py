@@ -12,8 +12,8 @@ import squat as package
 from squat import records
 from squat.replay.channel import Extent
 from squat.replay.chart import _HANGING
+from squat.replay.overlay import difference
 from squat.replay.panels import PANELS, Place, panel
-from squat.replay.plots import difference
 from squat.replay.runs import labels, load
 from squat.replay.wires import affine
 from squat.stability.equilibria import OneDimensionalModel

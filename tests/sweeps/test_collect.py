@@ -14,9 +14,11 @@ import pytest
 from squat.config import compose, validate
 from squat.errors import InputError
 from squat.piston import run
-from squat.records import read, save
+from squat.records import build, read, save
+from squat.records.schema import Kind, Variable
 from squat.stability.run import run as equilibria
 from squat.sweeps import FAILED, CollectCase, collect, write_plan
+from squat.sweeps.stack import stack
 
 
 @pytest.fixture
@@ -199,3 +201,13 @@ def test_a_killed_sweep_goes_on_with_the_same_command_and_is_joined(squat, tmp_p
     assert (whole["job_status"] == "converged").all()
     assert list(whole["mass_ratio"].values) == [0.2, 0.3, 0.4]
     assert list(read(tmp_path / "cut.nc")["mass_ratio"].values) == [0.2, 0.3, 0.4]
+
+
+def test_what_the_first_job_lacks_is_stacked_with_its_own_dimensions():
+    """As curves over heave, which ships of several modes do not have."""
+    curve = Variable(("point",), "m", "a curve", required=False)
+    kind = Kind("probe", 1, "probe", {"end": Variable((), "m", "end"), "curve": curve})
+    without, held = build(kind, {"end": 1.0}), build(kind, {"end": 2.0, "curve": [3.0, 4.0]})
+    variables, data = stack(kind, {(0,): without, (1,): held}, ("job",), (2,))
+    assert variables["curve"].dims == ("job", "point")
+    assert np.array_equal(data["curve"], [[np.nan] * 2, [3, 4]], equal_nan=True)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
 
 from squat.coupling import Aitken
 from squat.errors import InputError
@@ -150,3 +151,23 @@ def test_aitken_carries_the_uncorrected_variational_force(ship):
     case = replace(case, time=replace(case.time, periods=0.3))
     data = run(replace(case, coupling=replace(case.coupling, accelerator=calm))).dataset
     assert data.attrs["status"] == "completed"
+
+
+@pytest.mark.parametrize("keys", [(VARIATIONAL, "model=curves"), ("coupling=printed",)])
+def test_the_recorded_curves_hold_the_energy_of_every_step(ship, keys):
+    case = ship("current=2.25", "time.periods=0.3", *keys)
+    data = run(case).dataset
+    heave = data["curve_heave"].values
+    mass, potential = (
+        CubicSpline(heave, data[f"curve_{name}"].values) for name in ("inertia", "potential")
+    )
+    w, velocity = data["heave"].values, data["heave_velocity"].values
+    kept = (data["initial_energy"] + data["energy_residual"]).values
+    well = np.ptp(data["curve_potential"].values[heave > float(data["unstable_equilibrium"])])
+    energy = mass(w) * velocity**2 / 2 + potential(w)
+    assert energy == pytest.approx(kept, abs=1e-6 * well)
+    assert mass(w) == pytest.approx((data["ship_mass"] + data["fluid_inertia"]).values, rel=1e-7)
+    own = prepare(replace(case, force="variational")).problem.energy
+    for name in ("stable", "unstable"):
+        place = np.array([float(data[f"{name}_equilibrium"])])
+        assert own.gradient(place) == pytest.approx(0, abs=1e-6 * WEIGHT)

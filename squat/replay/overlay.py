@@ -1,0 +1,106 @@
+"""Plots over time: of one run, or overlaid with their differences."""
+
+import numpy as np
+import rerun.blueprint as rrb
+import xarray as xr
+
+from squat.quantities import Vector
+from squat.replay.panels import Draw, Place, panel
+from squat.replay.plots import PLOTS, Curve, Plot, Values
+from squat.replay.recorder import Recorder, entity
+from squat.replay.runs import Clock, Run
+from squat.replay.style import run_color, ticked
+
+
+def time_view(plot: Plot, title: str, paths: list[str], shown: list[Vector]) -> rrb.View:
+    """A diagram over time of all entities below `paths`, which hold the values `shown`."""
+    return rrb.TimeSeriesView(
+        origin="/",
+        contents=[f"+ /{path}/**" for path in paths],
+        name=title,
+        axis_x=rrb.TimeAxis(link=rrb.components.LinkAxis.LinkToGlobal),
+        axis_y=_axis(shown, plot.least_span),
+        plot_legend=rrb.PlotLegend(plot.legend),
+    )
+
+
+def _axis(shown: list[Vector], least: float) -> rrb.ScalarAxis | None:
+    """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them."""
+    told = np.concatenate([values[np.isfinite(values)] for values in shown])
+    if not told.size:
+        return None
+    low, high = float(told.min()), float(told.max())
+    if high - low < least:
+        middle = (low + high) / 2
+        return rrb.ScalarAxis(range=(middle - least / 2, middle + least / 2))
+    wide = ticked(low, high)
+    return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
+
+
+def _overlaid(plot: Plot) -> Draw:
+    """Every curve of a single run; of several the compared ones, and what is constant."""
+
+    def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
+        shown = []
+        for number, run in enumerate(runs):
+            for curve in plot.curves:
+                values = curve.values(run.data)
+                if run.label and not curve.compared:
+                    continue
+                clock, told = _rows(run, values)
+                shown.append(told)
+                color = run_color(number) if run.label else curve.color
+                path = entity(run, "plots", plot.name, curve.name)
+                several = bool(run.label) and not values.ndim
+                label = run.said(plot.constants if several else curve.label)
+                recorder.series(path, clock, told, label, color, curve.width)
+        paths = [entity(run, "plots", plot.name) for run in runs]
+        return [time_view(plot, plot.title, paths, shown)]
+
+    return draw
+
+
+def _rows(run: Run, values: xr.DataArray) -> tuple[Clock, Vector]:
+    """Rows of a curve; a constant has one at either end."""
+    if values.ndim:
+        return run.steps, np.asarray(values.values, float)
+    return run.span, np.full(len(run.span.time), float(values))
+
+
+def _differing(plot: Plot) -> Draw:
+    """What compared curves differ by from the first run's."""
+
+    def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
+        first, *others = runs
+        paths, shown = [], []
+        for number, run in enumerate(others, 1):
+            for curve in _varying(plot, run):
+                clock, values = difference(first, run, curve.values)
+                shown.append(values)
+                path = entity(run, "differences", plot.name, curve.name)
+                label = f"{run.label} less {first.label}"
+                name = label if len(_varying(plot, run)) == 1 else f"{curve.label}: {label}"
+                recorder.series(path, clock, values, name, run_color(number))
+            paths.append(entity(run, "differences", plot.name))
+        return [time_view(plot, f"Δ {plot.title}", paths, shown)] if others else []
+
+    return draw
+
+
+def _varying(plot: Plot, run: Run) -> list[Curve]:
+    return [curve for curve in plot.curves if curve.compared and curve.values(run.data).ndim]
+
+
+def difference(first: Run, run: Run, values: Values) -> tuple[Clock, Vector]:
+    """`run` less `first` at the first's steps within both runs; linear between the other's."""
+    time, other = first.steps.time, run.steps.time
+    common = time <= other[-1] * (1 + 1e-12)
+    clock = first.steps.at(common)
+    there = np.interp(clock.time, other, np.asarray(values(run.data).values, float))
+    return clock, there - np.asarray(values(first.data).values, float)[common]
+
+
+for _plot in PLOTS:
+    _beside = Place.DIFFERENCE if _plot.place is Place.PLOT else _plot.place
+    panel(_plot.name, _plot.place, _plot.needs)(_overlaid(_plot))
+    panel(f"{_plot.name} differences", _beside, _plot.needs)(_differing(_plot))
