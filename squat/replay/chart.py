@@ -12,7 +12,7 @@ from squat.replay.runs import Clock, Run
 from squat.replay.style import GREY, PALE, rgba, ticks
 
 _WIDTH = 160.0
-_STILL, _DOTS = 25.0, 45.0  # in the viewer's order of drawing, where lines are 30
+_STILL = 25.0  # over lines that move (20), so that a curve shows within a trail; under points (30)
 _HANGING = 5.0  # a label hangs so far below its point in the layout
 _MARGIN = (24.0, 8.0, 14.0, 24.0)  # left, right, top, bottom
 
@@ -73,13 +73,20 @@ class Chart:
         recorder.static(f"{axes}/numbers", _labels(points, texts))
 
     def curve(
-        self, recorder: Recorder, run: Run, name: str, clock: Clock, lines: list[Vector], color: str
+        self,
+        recorder: Recorder,
+        run: Run,
+        name: str,
+        clock: Clock,
+        lines: list[Vector],
+        color: str,
+        width: float = 2.0,
     ) -> None:
         """A line for each row of `clock`: points (n, 2) in data coordinates, n of each its own."""
         strips = [self.canvas(*line.T) for line in lines]
         path = entity(run, "profiles", self.name, name)
-        style = rr.LineStrips2D.columns(colors=rgba(color), radii=rr.Radius.ui_points([1.0]))
-        recorder.static(path, style)
+        radius = rr.Radius.ui_points([width / 2])
+        recorder.static(path, rr.LineStrips2D.columns(colors=rgba(color), radii=radius))
         recorder.rows(path, clock, rr.LineStrips2D.columns(strips=strips))
 
     def still(
@@ -127,9 +134,7 @@ class Chart:
 
 
 def _dot(color: str) -> rr.ComponentColumnList:
-    return rr.Points2D.columns(
-        colors=rgba(color), radii=rr.Radius.ui_points([5.0]), draw_order=[_DOTS]
-    )
+    return rr.Points2D.columns(colors=rgba(color), radii=rr.Radius.ui_points([5.0]))
 
 
 def _labels(points: Vector, texts: list[str]) -> rr.ComponentColumnList:

@@ -14,6 +14,7 @@ from squat.replay.style import GREEN, GREY, ORANGE, PALE, RED, SKY, run_color
 _LEVELS = (0.1, 0.3, 0.55, 0.8, 1.25, 1.6, 2.1)  # over the depth of the well, as in the figures
 _HEIGHT = 110.0
 _TRAIL = 2 * np.pi * (1 + 1e-9)  # rad of phase; a whole period in spite of rounding
+_WIDE = 5.0  # points: the trail shows beside a curve that it should lie on
 _DEEP = 0.1  # share of the steps that may fall below the diagram: a grounding ship falls far
 _THOUSAND = 1e3
 _MARKS = {"stable": GREEN, "unstable": RED}
@@ -43,7 +44,7 @@ def phase_portrait(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         _levels(recorder, chart, run, land, number)
         points = np.column_stack([run.data[name].values for name in ("heave", "heave_velocity")])
         color = run_color(number) if run.label else ORANGE
-        chart.curve(recorder, run, "trail", run.steps, trail(run, points), color)
+        chart.curve(recorder, run, "trail", run.steps, trail(run, points), color, _WIDE)
         chart.point(recorder, run, "ship", run.steps, points, color)
         for name, w in land.equilibria.items():
             chart.mark(recorder, run, name, (w, 0.0), _MARKS[name])
