@@ -31,6 +31,7 @@ from squat.fluid import run as added_mass
 from squat.stability import limits, limits_map, portrait
 from squat.stability import run as equilibria
 from squat.transient import stability_map
+from squat.trim import run as trim
 
 _log = logging.getLogger(__name__)
 
@@ -66,6 +67,7 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "equilibria": equilibria.run,
     "stability": portrait.run,
     "stability_map": stability_map.run,
+    "trim": trim.run,
     "limits": limits.run,
     "limits_map": limits_map.run,
     "mesh": _mesh,

@@ -30,6 +30,7 @@ from squat.stability.run import EquilibriaCase
 from squat.sweeps import CollectCase
 from squat.transient import TransientCase
 from squat.transient.stability_map import StabilityMapCase
+from squat.trim.case import TrimCase
 
 CASES: dict[str, type] = {
     "piston": PistonCase,
@@ -46,6 +47,7 @@ CASES: dict[str, type] = {
     "transient": TransientCase,
     "race": RaceCase,
     "stability_map": StabilityMapCase,
+    "trim": TrimCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

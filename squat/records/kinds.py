@@ -7,6 +7,7 @@ from squat.records.fleet_kinds import STABILITY_MAP
 from squat.records.schema import Kind, Variable
 from squat.records.stability_kinds import LIMITS, LIMITS_MAP, STABILITY
 from squat.records.sweep import SWEEP
+from squat.records.trim_kinds import TRIM
 
 _TIME = ("time",)
 
@@ -376,5 +377,6 @@ _ALL = (
     RACE,
     SWEEP,
     STABILITY_MAP,
+    TRIM,
 )
 KINDS = {kind.name: kind for kind in _ALL}

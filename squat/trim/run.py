@@ -1,0 +1,129 @@
+"""Task `trim`: equilibria, stiffness, folds and limits of heave and pitch, and of heave alone."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from scipy.optimize import brentq
+
+from squat.channel import AnyHull
+from squat.dynamics.lagrangian import Lagrangian
+from squat.fluid.energy import ShipEnergy, still_water
+from squat.fluid.ship import about_gravity, check_stability, rigid_body
+from squat.mesh import Mesh, submesh
+from squat.mesh.generate import generate
+from squat.quantities import Vector
+from squat.records import build
+from squat.records.trim_kinds import TRIM
+from squat.reduced.greedy import reduce
+from squat.stability.equilibria import OneDimensionalModel
+from squat.trim.barrier import Region, barrier, ridge, safe_speed
+from squat.trim.case import TrimCase
+from squat.trim.equilibria import Modes, Point, branch, fold
+from squat.trim.release import lost_speed, release
+
+MODES = ("heave", "pitch")
+
+
+def run(case: TrimCase) -> xr.Dataset:
+    """Dataset of kind `trim`."""
+    hull = stretched(case)
+    ship, mesh = _ship(case, hull)
+    region = _region(case, mesh)
+    modes = Modes(ship.at_current, ship.lengths)
+    points = branch(modes, np.zeros(2), 0.0, np.array([0.0, 0.0, 1.0]), case.arc, case.points)
+    limit = fold(modes, max(points, key=lambda point: point.current))
+    one = OneDimensionalModel(hull, case.channel, case.water).squat_speed()
+    data = {
+        **_branch(modes, points),
+        "length": hull.length,
+        "displacement": hull.outline.area,
+        "squat_speed_1d": one.speed,
+        "squat_sinkage_1d": one.sinkage,
+        "squat_speed": limit.current,
+        "squat_sinkage": limit.position[0],
+        "squat_trim": limit.position[1],
+        **_limits(case, ship, region, limit),
+    }
+    return build(TRIM, data, {"hull": case.hull.shape})
+
+
+def stretched(case: TrimCase) -> AnyHull:
+    """The hull with its length such that it displaces what the case asks for."""
+    if case.displacement is None:
+        return case.hull
+
+    def excess(factor: float) -> float:
+        hull = replace(case.hull, length=factor * case.hull.length)
+        return hull.outline.area - float(case.displacement or 0.0)
+
+    return replace(case.hull, length=case.hull.length * float(brentq(excess, 0.4, 3.0)))
+
+
+def _ship(case: TrimCase, hull: AnyHull) -> tuple[ShipEnergy, Mesh]:
+    coarse = submesh(hull, case.channel, MODES)
+    mesh = about_gravity(generate(coarse, case.mesh), hull)
+    body = rigid_body(hull, case.water, MODES)
+    check_stability(mesh.submesh, body, case.water)
+    made = reduce(mesh, case.water.density, "rigid_lid", case.reduced)
+    return ShipEnergy(body, still_water(mesh.submesh, case.water), made.model, 0.0), mesh
+
+
+def _region(case: TrimCase, mesh: Mesh) -> Region:
+    least = max(case.grounding, 1.01 * case.reduced.box.clearance)
+    box = case.reduced.box.pitch
+    return Region(mesh.submesh, 0.98 * box, least * mesh.submesh.limits.clearance)
+
+
+def _branch(modes: Modes, points: list[Point]) -> dict[str, Any]:
+    stiffness = [
+        modes.jacobian(p.position * modes.lengths, p.current**2 / 2)[:, :-1] for p in points
+    ]
+    return {
+        "current": [p.current for p in points],
+        "heave": [p.position[0] for p in points],
+        "pitch": [p.position[1] for p in points],
+        "unstable": [p.unstable for p in points],
+        "heave_stiffness": [U2[0, 0] for U2 in stiffness],
+        "pitch_stiffness": [U2[1, 1] * modes.lengths[1] ** 2 for U2 in stiffness],
+    }
+
+
+def _limits(case: TrimCase, ship: ShipEnergy, region: Region, limit: Point) -> dict[str, Any]:
+    start = np.array([case.start.heave, case.start.pitch])
+    safe = safe_speed(ship.at_current, region, start, limit.current)
+    saddle = barrier(ship.at_current(safe), region)
+    alone = _heave_alone(ship, region, start, limit.current)
+    period = 2 * math.pi / math.sqrt(_stiffness(ship) / ship.mass(np.zeros(2))[0, 0])
+    grid = period / case.steps_per_period, round(case.periods * case.steps_per_period)
+    ends = safe, limit.current
+    lost = lost_speed(ship.at_current, region, start, ship.lengths, grid, ends, case.tolerance)
+    below = release(ship.at_current(lost - case.tolerance), region, start, ship.lengths, *grid)
+    return {
+        "heave_only_limit": alone,
+        "safe_speed": safe,
+        "saddle_heave": saddle.heave,
+        "saddle_pitch": saddle.pitch,
+        "dynamic_limit": lost,
+        "dynamic_limit_error": case.tolerance / 2,
+        "greatest_trim": float(np.abs(below.position[:, 1]).max()),
+        "drift": below.drift / (ship.body.mass * ship.body.gravity * case.hull.draft),
+        "start_heave": start[0],
+        "start_pitch": start[1],
+    }
+
+
+def _stiffness(ship: ShipEnergy) -> float:
+    return float(ship.hydrostatics.stiffness[0, 0])
+
+
+def _heave_alone(ship: ShipEnergy, region: Region, start: Vector, fastest: float) -> float:
+    """Dynamic limit [m/s] with the pitch locked at the start's: exact, from the same energies."""
+
+    def lack(V: float) -> float:
+        system: Lagrangian = ship.at_current(V)
+        return ridge(system, region, float(start[1])).potential - system.potential(start)
+
+    return float(brentq(lack, 0.0, fastest)) if lack(fastest) < 0 else fastest

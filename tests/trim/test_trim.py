@@ -1,0 +1,62 @@
+"""Limits in heave and pitch: what must be so on any mesh."""
+
+import numpy as np
+import pytest
+
+from squat.config import compose, validate
+from squat.trim import run as trim
+from squat.trim.barrier import barrier, safe_speed
+from squat.trim.equilibria import Modes, branch, fold
+from squat.trim.release import release
+
+SMALL = (
+    "mesh.near=2", "mesh.far=6", "reduced.positions=8", "reduced.tolerance=1e-2",
+    "reduced.box.clearance=0.2", "reduced.box.points=8", "reduced.box.pitch_points=5",
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def vessel():
+    case = validate(compose("trim", *SMALL)).case
+    ship, mesh = trim._ship(case, case.hull)
+    return ship, trim._region(case, mesh)
+
+
+def test_branch_solves_the_equilibrium_and_its_fold_is_where_the_current_is_greatest(vessel):
+    ship, _ = vessel
+    modes = Modes(ship.at_current, ship.lengths)
+    points = branch(modes, np.zeros(2), 0.0, np.array([0.0, 0.0, 1.0]), 0.4, 14)
+    for point in points:
+        force = ship.at_current(point.current).gradient(point.position)
+        assert np.abs(force[0]) < 1e-6 * ship.body.mass
+    best = max(points, key=lambda point: point.current)
+    limit = fold(modes, best)
+    assert limit.current >= best.current
+    U2 = modes.jacobian(limit.position * modes.lengths, limit.current**2 / 2)[:, :-1]
+    values = np.linalg.eigvalsh(U2)
+    assert np.abs(values).min() < 1e-6 * np.abs(modes.jacobian(np.zeros(2), 0.0)[0, 0])
+    assert points[0].unstable == 0
+    assert points[-1].unstable >= 1
+
+
+def test_what_energy_calls_safe_is_not_lost_and_pitch_never_helps(vessel):
+    ship, region = vessel
+    modes = Modes(ship.at_current, ship.lengths)
+    start = np.array([-0.1, 0.002])
+    points = branch(modes, np.zeros(2), 0.0, np.array([0.0, 0.0, 1.0]), 0.4, 12)
+    limit = fold(modes, max(points, key=lambda point: point.current))
+    safe = safe_speed(ship.at_current, region, start, limit.current)
+    alone = trim._heave_alone(ship, region, start, limit.current)
+    assert 0 < safe <= alone <= limit.current
+    way = barrier(ship.at_current(safe), region)
+    assert way.potential == pytest.approx(ship.at_current(safe).potential(start), rel=1e-4)
+    track = release(ship.at_current(0.99 * safe), region, start, ship.lengths, 0.3, 60)
+    assert not track.lost
+    assert track.drift < 1e-12 * ship.body.mass * 9.81 * 10
+
+
+def test_a_stretched_hull_displaces_what_was_asked_for():
+    case = validate(compose("trim", "hull=half_ellipse", "displacement=400")).case
+    hull = trim.stretched(case)
+    assert hull.outline.area == pytest.approx(400, rel=1e-9)
+    assert hull.draft == case.hull.draft
