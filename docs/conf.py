@@ -9,6 +9,7 @@ copyright = "MIT licence"  # noqa: A001
 release = version = installed("squat")
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 exclude_patterns = ["_build"]
+default_role = "code"
 html_theme = "furo"
 html_title = "squat"
 html_copy_source = False

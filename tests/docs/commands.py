@@ -28,7 +28,7 @@ def command(line: str) -> None:
     given = {word.split("=")[0] for word in words}
     cheaper = "" if "-m" in words else CHEAPER.get(task, "")  # it would name a sweep's folders
     extra = [word for word in cheaper.split() if word.split("=")[0] not in given]
-    sys.argv = words + extra
+    sys.argv = [words[0], *extra, *words[1:]]
     try:
         main()
     except SystemExit as end:
