@@ -30,7 +30,7 @@ from squat.fluid import inertia, sensitivity
 from squat.fluid import run as added_mass
 from squat.stability import limits, limits_map, portrait
 from squat.stability import run as equilibria
-from squat.transient import stability_map
+from squat.transient import convergence, stability_map
 from squat.trim import run as trim
 
 _log = logging.getLogger(__name__)
@@ -69,6 +69,7 @@ DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
     "stability_map": stability_map.run,
     "trim": trim.run,
     "limits": limits.run,
+    "convergence": convergence.run,
     "limits_map": limits_map.run,
     "mesh": _mesh,
     "added_mass": added_mass.run,

@@ -29,6 +29,7 @@ from squat.stability.case import LimitsCase, LimitsMapCase, StabilityCase
 from squat.stability.run import EquilibriaCase
 from squat.sweeps import CollectCase
 from squat.transient import TransientCase
+from squat.transient.convergence import ConvergenceCase
 from squat.transient.stability_map import StabilityMapCase
 from squat.trim.case import TrimCase
 
@@ -48,6 +49,7 @@ CASES: dict[str, type] = {
     "race": RaceCase,
     "stability_map": StabilityMapCase,
     "trim": TrimCase,
+    "convergence": ConvergenceCase,
     "table": TableCase,
     "verdicts": VerdictsCase,
     "figure": FigureCase,

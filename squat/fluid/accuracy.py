@@ -81,16 +81,23 @@ def extrapolate(levels: Sequence[Vector], ratio: float, safety: float) -> Estima
     ratio
         Refinement of the element size from one to the next.
     """
-    coarse, middle, fine = levels
-    before, after = middle - coarse, fine - middle
+    _, middle, fine = levels
+    after = fine - middle
     scale = np.abs(fine).max(initial=0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        order = np.log(before / after) / np.log(ratio)
-    steady = np.isfinite(order) & (order > _STEADY)
+    order = observed_order(levels, ratio)
+    steady = np.isfinite(order)
     gain = ratio ** np.minimum(np.where(steady, order, _LEAST_ORDER), _GREATEST_ORDER) - 1
     value = fine + np.where(steady, after / gain, 0.0)
     error = safety * np.abs(after) / gain + _ROUNDING * scale
     return Estimate(value, error)
+
+
+def observed_order(levels: Sequence[Vector], ratio: float) -> Vector:
+    """Order at which values on three meshes change; NaN where it is 0.9 or less, or none at all."""
+    coarse, middle, fine = levels
+    with np.errstate(divide="ignore", invalid="ignore"):
+        order = np.log((middle - coarse) / (fine - middle)) / np.log(ratio)
+        return np.where(np.isfinite(order) & (order > _STEADY), order, np.nan)
 
 
 def accurate(

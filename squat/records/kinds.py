@@ -5,7 +5,7 @@ from dataclasses import replace
 from squat.records.coupling_kinds import COUPLED, RACE
 from squat.records.fleet_kinds import STABILITY_MAP
 from squat.records.schema import Kind, Variable
-from squat.records.stability_kinds import LIMITS, LIMITS_MAP, STABILITY
+from squat.records.stability_kinds import CONVERGENCE, LIMITS, LIMITS_MAP, STABILITY
 from squat.records.sweep import SWEEP
 from squat.records.trim_kinds import TRIM
 
@@ -374,6 +374,7 @@ _ALL = (
     STABILITY,
     LIMITS,
     LIMITS_MAP,
+    CONVERGENCE,
     RACE,
     SWEEP,
     STABILITY_MAP,

@@ -103,3 +103,23 @@ LIMITS_MAP = Kind(
     },
     ("draft", "start_over_draft"),
 )
+
+_QUANTITY = ("quantity",)
+CONVERGENCE = Kind(
+    "convergence",
+    1,
+    "Headline numbers on three meshes and with three time steps, with their uncertainty",
+    {
+        "quantity": Variable(_QUANTITY, "1", "what the numbers of a row are"),
+        "current": Variable(_QUANTITY, "m s-1", "current V_inf; NaN: none, or the answer itself"),
+        "unit": Variable(_QUANTITY, "1", "unit of the row's values and error"),
+        "refined": Variable(_QUANTITY, "1", "what was refined: mesh or time step"),
+        "level_value": Variable(
+            ("quantity", "level"), "1", "values from the coarsest to the finest, in `unit`"
+        ),
+        "observed_order": Variable(_QUANTITY, "1", "observed order; NaN: they do not shrink so"),
+        "value": Variable(_QUANTITY, "1", "extrapolated with that order; NaN: none, in `unit`"),
+        "error": Variable(_QUANTITY, "1", "grid convergence index, absolute, in `unit`"),
+    },
+    ("refinement", "safety"),
+)

@@ -10,12 +10,12 @@ from pydantic.dataclasses import dataclass
 from squat.errors import InputError
 from squat.quantities import STRICT
 
-_KINDS = ("figure", "table", "claims", "runs", "files")
+_KINDS = ("figure", "table", "claims", "runs", "estimates", "files")
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class Block:
-    """One figure, table, list of claims, list of runs, or list of files.
+    """One figure, table, list of claims, list of runs, table of estimates, or list of files.
 
     Parameters
     ----------
@@ -29,6 +29,8 @@ class Block:
         Condition on the catalogue of the results.
     columns
         Columns of the catalogue to show with `runs`.
+    estimates
+        Dataset of kind `convergence` below the results: numbers with their uncertainty.
     files
         Pattern of files below the results, to link to.
     title, text
@@ -40,6 +42,7 @@ class Block:
     claims: tuple[str, ...] | None = None
     runs: str | None = None
     columns: tuple[str, ...] = ()
+    estimates: str | None = None
     files: str | None = None
     title: str = ""
     text: str = ""
@@ -50,7 +53,7 @@ class Block:
 
     @property
     def kind(self) -> str:
-        """Which of the five it is."""
+        """Which of the six it is."""
         return next(kind for kind in _KINDS if getattr(self, kind) is not None)
 
 

@@ -13,6 +13,7 @@ from squat import catalogue, records
 from squat.errors import InputError
 from squat.records.provenance import PAPER
 from squat.report.contents import Block, Part, ReportCase, Section
+from squat.report.estimates import estimates
 from squat.report.pictures import picture
 from squat.report.provenance import provenance
 from squat.report.tables import grid, read, short, symbol
@@ -72,6 +73,8 @@ def _view(block: Block, results: Path, verdicts: pd.DataFrame) -> Any:
         return claim_rows(verdicts, block.claims)
     if block.runs is not None:
         return _runs(block, results)
+    if block.estimates is not None:
+        return estimates(results / block.estimates)
     assert block.files is not None
     return sorted(path.relative_to(results).as_posix() for path in results.glob(block.files))
 

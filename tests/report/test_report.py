@@ -1,20 +1,38 @@
 """The report: whole, self-contained, complete, the same every time."""
 
+import re
+
 import numpy as np
 import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 
 import squat as api
-from squat import published
+from squat import published, records
 from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH
 from squat.errors import InputError
 from squat.figures.files import save
+from squat.records.stability_kinds import CONVERGENCE
 from squat.report import write_report
 from squat.report.provenance import digest
 from tests.report.page import Page
 
+HOW = {"refinement": 2.0, "safety": 1.25}
+ESTIMATES = {
+    "quantity": ["2D squat speed", "period"],
+    "current": [np.nan, 2.0],
+    "unit": ["m s-1", "s"],
+    "refined": ["mesh", "time step"],
+    "level_value": [[3.0, 2.5, 2.25], [np.nan] * 3],
+    "observed_order": [1.0, np.nan],
+    "value": [2.0, np.nan],
+    "error": [0.3125, np.nan],
+}
 NAMES = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
+
+
+def spaced(page):
+    return " ".join(re.sub(r"<[^>]*>", " ", page).split())
 
 
 @pytest.fixture
@@ -45,6 +63,8 @@ def results(tmp_path, report):
     rows[-1]["verdict"] = INCONSISTENT
     frame = pd.DataFrame(rows).reindex(columns=NAMES)
     frame.to_csv(tmp_path / "tables" / "verdicts.csv", index=False)
+    for name in filter(None, (block.estimates for block in contents.blocks)):
+        records.save(records.build(CONVERGENCE, ESTIMATES, HOW), tmp_path / name, {}, 0.0)
     run = api.run("transient", "mesh=coarse", "accuracy.near=0.4", "time.periods=0.03")
     run.to_netcdf(tmp_path / "run.nc", engine="h5netcdf")
     return tmp_path
@@ -61,6 +81,8 @@ def test_the_page_is_whole_and_loads_nothing(results, report):
         assert f"{count} {verdict.replace('differs', 'differ')}" in text
     assert str(results) not in page.text
     assert "&lt;b&gt;" in page.text
+    assert "2D squat speed mesh 3 2.5 2.25 1.00 2.00 +- 3.1e-01 m/s" in spaced(page.text)
+    assert "period at 2 m/s time step – – – – none" in spaced(page.text)
     before = page.text
     write_report(report(results), results / "report.html")
     assert (results / "report.html").read_text() == before
@@ -84,7 +106,9 @@ def test_what_is_missing_is_named(results, report, name):
 
 def test_a_block_shows_one_thing(case):
     parts = "contents.parts=[{title: a, sections: [{title: b, blocks: [{title: c}]}]}]"
-    with pytest.raises(InputError, match="a block has one of figure, table, claims, runs, files"):
+    with pytest.raises(
+        InputError, match="a block has one of figure, table, claims, runs, estimates, files"
+    ):
         case("report", parts)
 
 

@@ -61,6 +61,7 @@ def test_everything_promised_is_left(tree):
     results = tree / "results"
     for name in ("piston/iterations", "equilibria/equilibria", "mesh/mesh"):
         read(results / f"{name}.nc")
+    assert read(results / "stability" / "convergence.nc").sizes["level"] == 3
     for name in ("table4", "table5", "table6", "fig7", "sensitivity"):
         read(results / "added_mass" / f"{name}.nc")
     for name in (*(f"table{n}" for n in range(1, 8)), "table5_critical"):

@@ -6,6 +6,7 @@ rule contents:
         rules.iterations.output,
         rules.equilibria.output,
         rules.limits.output,
+        rules.convergence.output,
         rules.verdicts.output,
         REPLAYS,
         expand(rules.table.output, table=TABLES),

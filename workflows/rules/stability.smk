@@ -43,3 +43,17 @@ rule limits_map:
         config=configured("limits_map", f"cases/limits@_global_={CASES}"),
     shell:
         "squat task=limits_map {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+
+
+rule convergence:
+    output:
+        f"{RESULTS}/stability/convergence.nc",
+    log:
+        f"{RESULTS}/logs/convergence.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/convergence.tsv"
+    params:
+        cases=f"cases/convergence@_global_={CASES}",
+        config=configured("convergence", f"cases/convergence@_global_={CASES}"),
+    shell:
+        "squat task=convergence {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
