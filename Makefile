@@ -19,7 +19,7 @@ UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-report test-slurm docs format lock benchmark clean
+.PHONY: help environment reproduce test test-report test-slurm docs test-mutants format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -55,6 +55,9 @@ test-slurm: environment  ## the graph and a sweep on a real SLURM of two nodes o
 
 docs: environment  ## build the pages of docs/ in build/docs/index.html
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs build/docs
+
+test-mutants: environment  ## change the code in small ways: does a test notice? an hour; goes on if killed
+	$(BIN)/python -m workflows.mutants
 
 format: environment  ## rewrite the code in the house format
 	$(BIN)/ruff format .
