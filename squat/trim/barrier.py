@@ -1,25 +1,28 @@
 """The energy barrier of heave and pitch, and the current up to which it keeps the ship.
 
-Let w_r(theta) be any curve that separates the well from the bottom. Whoever is lost crosses it, or
-leaves at the greatest trim; since E = kinetic energy + U is kept, a ship whose energy is below the
-least of U on these lines is safe. The curve here is the ridge, the place of the greatest U over
-heave at each trim: its least U is then a saddle, so no curve gives a better bound.
+Whoever is lost goes from the start to an exit: the ground, or the greatest trim. E = kinetic
+energy + U is kept, so that a ship is safe whose energy is below the least height that every way out
+must climb. That height is found on a grid of U, by the level at which the sea of all lower places
+joins start and exit, and made exact by Newton's method at the saddle.
 """
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+from scipy.ndimage import label
+from scipy.optimize import brentq, minimize_scalar, root
 
 from squat.dynamics.lagrangian import Lagrangian
-from squat.mesh import Submesh
+from squat.mesh import PositionError, Submesh
 from squat.mesh.limits import WALL
 from squat.quantities import Vector
 from squat.trim.equilibria import Family
 
 _WALL = 1.01 * WALL
-_SCAN, _TRIMS = 24, 15
-"""Points over heave and over pitch between which extremes are refined."""
+_HEAVES, _TRIMS = 33, 41
+"""Points of the grid over heave, dense near the ground, and over pitch."""
 
 
 class Region(NamedTuple):
@@ -50,6 +53,11 @@ class Region(NamedTuple):
         top = self.submesh.motion.positions(full)[self.submesh.hull, 1].max()
         return float(min(limits.draft / 2, limits.level - top - _WALL * limits.wall))
 
+    def heaves(self, pitch: float) -> Vector:
+        """Heaves [m] from the ground up at `pitch`, in proportion to the clearance."""
+        low, high = self.low(pitch), self.high(pitch)
+        return low - self.least + np.geomspace(self.least, high - low + self.least, _HEAVES)
+
 
 class Pass(NamedTuple):
     """Lowest way out of the well: where (heave [m], pitch [rad]) and U there [J/m]."""
@@ -59,9 +67,121 @@ class Pass(NamedTuple):
     potential: float
 
 
+@dataclass(frozen=True, eq=False)
+class Barrier:
+    """The ways out for a ship that starts from `start` (n,), in any current.
+
+    Parameters
+    ----------
+    family
+        The ship's energies.
+    region
+        Where it may be.
+    start
+        Heave [m] and pitch [rad] at rest.
+    """
+
+    family: Family
+    region: Region
+    start: Vector
+
+    @cached_property
+    def _places(self) -> Vector:
+        """The grid's positions, shape (heaves, trims, 2); the first row is the ground."""
+        trims = np.linspace(-self.region.pitch, self.region.pitch, _TRIMS)
+        columns = [self.region.heaves(pitch) for pitch in trims.tolist()]
+        return np.stack([np.array(columns).T, np.broadcast_to(trims, (_HEAVES, _TRIMS))], axis=-1)
+
+    @cached_property
+    def _terms(self) -> tuple[Vector, Vector]:
+        """U_0 and s of U = U_0 - lambda s on the grid, shape (heaves, trims) each."""
+        found = np.array([self._split(q) for q in self._places.reshape(-1, 2)])
+        still, moving = found.T.reshape(2, _HEAVES, _TRIMS)
+        return still, moving
+
+    def _split(self, q: Vector) -> tuple[float, float]:
+        still = self.family(0.0).potential(q)
+        return still, 2 * (still - self.family(1.0).potential(q))
+
+    def lowest(self, current: float) -> Pass:
+        """The lowest pass at a current [m/s]."""
+        system, (i, j) = self.family(current), self._saddle(current**2 / 2)
+        q = self._places[i, j]
+        at_exit = i == 0 or j in (0, _TRIMS - 1)
+        return self._along_exit(system, i, j) if at_exit else self._exact(system, q)
+
+    def _saddle(self, strength: float) -> tuple[int, int]:
+        """Place on the grid where start and exit are first joined by all that is lower."""
+        still, moving = self._terms
+        U = still - strength * moving
+        apart = (self._places - self.start) / [self.region.submesh.limits.draft, self.region.pitch]
+        start = np.unravel_index(np.argmin((apart**2).sum(axis=-1)), U.shape)
+        levels = np.sort(U[U[start] <= U])
+        low, high = 0, len(levels) - 1
+        while low < high:
+            middle = (low + high) // 2
+            joined = _joined(levels[middle] >= U, start)
+            low, high = (low, middle) if joined else (middle + 1, high)
+        i, j = np.argwhere(levels[low] == U)[0]
+        return int(i), int(j)
+
+    def _exact(self, system: Lagrangian, guess: Vector) -> Pass:
+        """Saddle grad U = 0 near a place of the grid; that place where there is none."""
+        scale = np.array([1.0, self.region.submesh.limits.draft])
+
+        def force(x: Vector) -> Vector:
+            return np.asarray(system.gradient(x / scale) / scale)
+
+        try:
+            found = root(force, guess * scale)
+            q = np.asarray(found.x) / scale
+            near = np.abs(q - guess) < [1.0, 4 * self.region.pitch / _TRIMS]
+            if found.success and near.all():
+                return Pass(float(q[0]), float(q[1]), float(system.potential(q)))
+        except PositionError:
+            pass
+        return Pass(float(guess[0]), float(guess[1]), float(system.potential(guess)))
+
+    def _along_exit(self, system: Lagrangian, i: int, j: int) -> Pass:
+        """Least U on the exit between the neighbours of a place on it."""
+        if i == 0:
+            ends = self._places[0, [max(j - 1, 0), min(j + 1, _TRIMS - 1)]]
+        else:
+            ends = self._places[[i - 1, min(i + 1, _HEAVES - 1)], j]
+
+        def place(share: float) -> Vector:
+            heave, pitch = (1 - share) * ends[0] + share * ends[1]
+            return np.array([self.region.low(pitch) if i == 0 else heave, pitch])
+
+        found = minimize_scalar(
+            lambda share: system.potential(place(share)), bounds=(0, 1), method="bounded"
+        )
+        heave, pitch = place(float(found.x))
+        return Pass(float(heave), float(pitch), float(found.fun))
+
+    def margin(self, current: float) -> float:
+        """Height of the lowest pass over the start [J/m]."""
+        return self.lowest(current).potential - self.family(current).potential(self.start)
+
+    def safe_speed(self, fastest: float) -> float:
+        """Current [m/s] up to which the ship set free at rest cannot be lost, at most `fastest`."""
+        if self.margin(0.0) <= 0:
+            return 0.0
+        if self.margin(fastest) > 0:
+            return fastest
+        return float(brentq(self.margin, 0.0, fastest, xtol=1e-5))
+
+
+def _joined(sea: Vector, start: tuple[np.intp, ...]) -> bool:
+    """Whether `sea` (heaves, trims) joins the start to the ground or to a greatest trim."""
+    pools, _ = label(sea)
+    exits = np.concatenate([pools[0], pools[:, 0], pools[:, -1]])
+    return bool(np.any(exits == pools[start]))
+
+
 def ridge(system: Lagrangian, region: Region, pitch: float) -> Pass:
     """Greatest U over heave at `pitch`, between grounding and the well's bottom."""
-    w = np.linspace(region.low(pitch), region.high(pitch), _SCAN)
+    w = region.heaves(pitch)
     U = np.array([system.potential(np.array([x, pitch])) for x in w])
     bottom = _bottom(U)
     top = int(np.argmax(U[: bottom + 1]))
@@ -82,50 +202,3 @@ def _bottom(U: Vector) -> int:
         if U[i] <= U[i - 1]:
             return i
     return 0
-
-
-def barrier(system: Lagrangian, region: Region) -> Pass:
-    """Lowest point of the ridge and of the lines of greatest trim."""
-    trims = np.linspace(-region.pitch, region.pitch, _TRIMS)
-    found = [ridge(system, region, pitch) for pitch in trims.tolist()]
-    least = min(range(_TRIMS), key=lambda i: found[i].potential)
-    best = found[least]
-    if 0 < least < _TRIMS - 1:
-        refined = minimize_scalar(
-            lambda pitch: ridge(system, region, float(pitch)).potential,
-            bounds=(trims[least - 1], trims[least + 1]),
-            method="bounded",
-            options={"xatol": 1e-6},
-        )
-        best = min(best, ridge(system, region, float(refined.x)), key=lambda one: one.potential)
-    edges = [edge(system, region, sign * region.pitch) for sign in (-1, 1)]
-    return min(best, *edges, key=lambda one: one.potential)
-
-
-def edge(system: Lagrangian, region: Region, pitch: float) -> Pass:
-    """Least U over the heave of the well at a greatest trim: grounding lies beyond the ridge."""
-    crest = ridge(system, region, pitch)
-    found = minimize_scalar(
-        lambda x: system.potential(np.array([x, pitch])),
-        bounds=(crest.heave, region.high(pitch)),
-        method="bounded",
-    )
-    return Pass(float(found.x), pitch, min(float(found.fun), crest.potential))
-
-
-def safe_speed(family: Family, region: Region, start: Vector, fastest: float) -> float:
-    """Current [m/s] up to which a ship released at rest from `start` (n,) cannot be lost.
-
-    Parameters
-    ----------
-    fastest
-        Current at which it has no well: the fold.
-    """
-
-    def lack(V: float) -> float:
-        system = family(V)
-        return barrier(system, region).potential - system.potential(start)
-
-    if lack(0.0) <= 0:
-        return 0.0
-    return fastest if lack(fastest) > 0 else float(brentq(lack, 0.0, fastest, xtol=1e-5))

@@ -52,8 +52,8 @@ def lost_speed(
     grid: tuple[float, int],
     ends: tuple[float, float],
     tolerance: float,
-) -> float:
-    """Least current [m/s] that loses the ship within the run, between two `ends`, to `tolerance`.
+) -> tuple[float, Track]:
+    """Least current [m/s] that loses the ship within the run, and the fastest run that is kept.
 
     Parameters
     ----------
@@ -61,6 +61,8 @@ def lost_speed(
         Time step [s] and number of steps.
     ends
         A current that keeps the ship, and one that is thought to lose it.
+    tolerance
+        Of the current [m/s].
 
     Notes
     -----
@@ -68,12 +70,13 @@ def lost_speed(
     above it, others exist. NaN where the upper end keeps the ship too.
     """
     low, high = ends
-    if not release(family(high), region, start, lengths, *grid).lost:
-        return float("nan")
-    while high - low > tolerance:
-        middle = (low + high) / 2
-        if release(family(middle), region, start, lengths, *grid).lost:
-            high = middle
-        else:
-            low = middle
-    return (low + high) / 2
+    last = release(family(high), region, start, lengths, *grid)
+    if not last.lost:
+        return float("nan"), last
+    kept = None
+    while high - low > tolerance or kept is None:
+        middle = low if high - low <= tolerance else (low + high) / 2
+        track = release(family(middle), region, start, lengths, *grid)
+        low, high = (low, middle) if track.lost else (middle, high)
+        kept = kept if track.lost else track
+    return (low + high) / 2, kept

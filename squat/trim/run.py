@@ -19,10 +19,10 @@ from squat.records import build
 from squat.records.trim_kinds import TRIM
 from squat.reduced.greedy import reduce
 from squat.stability.equilibria import OneDimensionalModel
-from squat.trim.barrier import Region, barrier, ridge, safe_speed
+from squat.trim.barrier import Barrier, Region, ridge
 from squat.trim.case import TrimCase
 from squat.trim.equilibria import Modes, Point, branch, fold
-from squat.trim.release import lost_speed, release
+from squat.trim.release import lost_speed
 
 MODES = ("heave", "pitch")
 
@@ -93,14 +93,16 @@ def _branch(modes: Modes, points: list[Point]) -> dict[str, Any]:
 
 def _limits(case: TrimCase, ship: ShipEnergy, region: Region, limit: Point) -> dict[str, Any]:
     start = np.array([case.start.heave, case.start.pitch])
-    safe = safe_speed(ship.at_current, region, start, limit.current)
-    saddle = barrier(ship.at_current(safe), region)
+    barrier = Barrier(ship.at_current, region, start)
+    safe = barrier.safe_speed(limit.current)
+    saddle = barrier.lowest(safe)
     alone = _heave_alone(ship, region, start, limit.current)
     period = 2 * math.pi / math.sqrt(_stiffness(ship) / ship.mass(np.zeros(2))[0, 0])
     grid = period / case.steps_per_period, round(case.periods * case.steps_per_period)
     ends = safe, limit.current
-    lost = lost_speed(ship.at_current, region, start, ship.lengths, grid, ends, case.tolerance)
-    below = release(ship.at_current(lost - case.tolerance), region, start, ship.lengths, *grid)
+    lost, kept = lost_speed(
+        ship.at_current, region, start, ship.lengths, grid, ends, case.tolerance
+    )
     return {
         "heave_only_limit": alone,
         "safe_speed": safe,
@@ -108,8 +110,8 @@ def _limits(case: TrimCase, ship: ShipEnergy, region: Region, limit: Point) -> d
         "saddle_pitch": saddle.pitch,
         "dynamic_limit": lost,
         "dynamic_limit_error": case.tolerance / 2,
-        "greatest_trim": float(np.abs(below.position[:, 1]).max()),
-        "drift": below.drift / (ship.body.mass * ship.body.gravity * case.hull.draft),
+        "greatest_trim": float(np.abs(kept.position[:, 1]).max()),
+        "drift": kept.drift / (ship.body.mass * ship.body.gravity * case.hull.draft),
         "start_heave": start[0],
         "start_pitch": start[1],
     }

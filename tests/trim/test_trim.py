@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.ndimage import label
 
 from squat.config import compose, validate
 from squat.trim import run as trim
-from squat.trim.barrier import barrier, safe_speed
+from squat.trim.barrier import Barrier
 from squat.trim.equilibria import Modes, branch, fold
 from squat.trim.release import release
 
@@ -45,14 +46,37 @@ def test_what_energy_calls_safe_is_not_lost_and_pitch_never_helps(vessel):
     start = np.array([-0.1, 0.002])
     points = branch(modes, np.zeros(2), 0.0, np.array([0.0, 0.0, 1.0]), 0.4, 12)
     limit = fold(modes, max(points, key=lambda point: point.current))
-    safe = safe_speed(ship.at_current, region, start, limit.current)
+    barrier = Barrier(ship.at_current, region, start)
+    safe = barrier.safe_speed(limit.current)
     alone = trim._heave_alone(ship, region, start, limit.current)
     assert 0 < safe <= alone <= limit.current
-    way = barrier(ship.at_current(safe), region)
+    way = barrier.lowest(safe)
     assert way.potential == pytest.approx(ship.at_current(safe).potential(start), rel=1e-4)
     track = release(ship.at_current(0.99 * safe), region, start, ship.lengths, 0.3, 60)
     assert not track.lost
     assert track.drift < 1e-12 * ship.body.mass * 9.81 * 10
+
+
+def test_the_lowest_pass_out_of_the_well_is_a_saddle_that_no_path_on_a_finer_grid_undercuts(vessel):
+    ship, region = vessel
+    barrier, V = Barrier(ship.at_current, region, np.array([-0.1, 0.002])), 2.3
+    way, system = barrier.lowest(V), ship.at_current(V)
+    q = np.array([way.heave, way.pitch])
+    assert np.abs(system.gradient(q)[0]) < 1e-6 * ship.body.mass * 9.81
+    level = way.potential - 0.1 * barrier.margin(V)
+    trims = np.linspace(-region.pitch, region.pitch, 31)
+    share = np.linspace(0, 1, 60)
+    sea = np.array([
+        [system.potential(np.array([low + s * (region.high(t) - low), t])) <= level for s in share]
+        for t in trims.tolist()
+        for low in [region.low(t)]
+    ])  # fmt: skip
+    pools, count = label(sea)
+    exits = {*pools[:, 0], *pools[0], *pools[-1]} - {0}
+    middle = sea.shape[0] // 2
+    wells = set(pools[middle]) - {0} - exits
+    assert count >= 2
+    assert len(wells) == 1
 
 
 def test_a_stretched_hull_displaces_what_was_asked_for():
