@@ -13,13 +13,14 @@ export CI ?= true
 unexport PYTHONDONTWRITEBYTECODE
 
 PYTHON ?= python3
+NEWEST ?= $(PYTHON)
 VENV := .venv
 BIN := $(VENV)/bin
 UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-report test-slurm docs test-mutants format lock benchmark clean
+.PHONY: help environment reproduce test test-report test-slurm docs test-newest test-mutants format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -55,6 +56,11 @@ test-slurm: environment  ## the graph and a sweep on a real SLURM of two nodes o
 
 docs: environment  ## build the pages of docs/ in build/docs/index.html
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs build/docs
+
+test-newest: environment  ## all tests with the newest version of everything, in .venv-newest/; NEWEST=python3.13
+	$(BIN)/uv venv --quiet --clear --python $(NEWEST) .venv-newest
+	$(WITH_INDEX) $(BIN)/uv pip install --quiet --python .venv-newest/bin/python --upgrade --group dev -e .
+	PATH="$(CURDIR)/.venv-newest/bin:$$PATH" pytest -n 2
 
 test-mutants: environment  ## change the code in small ways: does a test notice? an hour; goes on if killed
 	$(BIN)/python -m workflows.mutants

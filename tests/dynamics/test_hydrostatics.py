@@ -111,3 +111,19 @@ def test_fewer_modes_are_a_part_of_all(modes):
     bodies = [RigidBody(m, 3.0, 40.0, 9.81, (0.5, -1.5)) for m in (modes, MODES)]
     few, every = (body.mass_matrix(x) for body, x in zip(bodies, (q[place], q), strict=True))
     assert np.array_equal(few, every[np.ix_(place, place)])
+
+
+@HULLS
+def test_stiffness_is_the_second_derivative_about_any_point(name):
+    outline, up = hull(name).outline, np.array([0.0, CHANNEL.depth])
+    center = outline.center + up + np.array([1.7, -0.6])
+    water = Hydrostatics(WATER, outline.vertices + up, center, CHANNEL.depth, MODES)
+    h = 1e-4
+    found = [(water.gradient(e) - water.gradient(-e)) / (2 * h) for e in h * np.eye(3)]
+    assert found == pytest.approx(water.stiffness, rel=1e-6, abs=1e-6 * water.stiffness.max())
+
+
+def test_a_body_turns_about_its_centre_of_mass_unless_told_otherwise():
+    body = RigidBody(MODES, 4.0, 9.0, 9.8)
+    assert body.mass_matrix(Q) == pytest.approx(np.diag([4.0, 4.0, 9.0]), abs=1e-14)
+    assert body.potential(Q) == pytest.approx(4.0 * 9.8 * Q[1])

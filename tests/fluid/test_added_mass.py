@@ -205,3 +205,15 @@ def test_pitch_about_the_centroid_shifts_the_matrix_like_any_rigid_mode(case):
     shift = np.eye(3)
     shift[2, 0] = -5.0  # the centroid lies T/2 below the water line
     assert centroid == pytest.approx(shift @ water @ shift.T, rel=1e-9, abs=1e-6 * water.max())
+
+
+def test_meshes_of_an_estimate_are_scaled_copies(case):
+    """Every length but the growth follows the level, near the hull and far away."""
+    asked = case("added_mass")
+    sizes = [asked.accuracy.size(asked.hull, asked.channel, level) for level in range(3)]
+    scale = min(asked.channel.depth - asked.hull.draft, asked.hull.draft, asked.hull.length / 2)
+    for level, size in enumerate(sizes):
+        factor = asked.accuracy.refinement ** (2 - level)
+        assert size.near == pytest.approx(factor * asked.accuracy.near * scale)
+        assert size.far == pytest.approx(factor * asked.accuracy.far * asked.channel.depth)
+        assert size.slope == asked.accuracy.slope

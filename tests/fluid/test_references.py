@@ -78,3 +78,10 @@ def test_long_gap_has_the_one_dimensional_flow():
         for length in (100.0, 140.0)
     ]
     assert (energies[1] - energies[0]) / 40 == pytest.approx(20.0**2 / 10.0, rel=1e-9)
+
+
+def test_deep_water_tends_to_the_flat_plate_from_above():
+    """The thinner the box, the smaller its coefficient; 1/2 is that of a plate."""
+    found = [heave_inertia_coefficient(ratio) for ratio in (0.05, 0.5, 1.0, 5.0, 100.0, 1000.0)]
+    assert (np.diff(found) < 0).all()
+    assert 0.5 < found[-1] < 0.505

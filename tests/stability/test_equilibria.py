@@ -1,5 +1,7 @@
 """Roots of Eq. (27), their stability, and the squat speed."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -131,3 +133,12 @@ def test_dataset_holds_curve_cases_and_fold(case):
     below = data.sel(speed=data["speed"] < data["squat_speed"])
     assert np.isfinite(below["period"]).all()
     assert (np.diff(below["period"]) > 0).all()
+
+
+@pytest.mark.parametrize("ratio", [0.0, 2.0])
+def test_period_in_still_water_is_that_of_ship_and_added_mass_on_its_spring(case, ratio):
+    data = run(case("equilibria", f"added_mass_ratio={ratio}"))
+    hull = case("equilibria").hull
+    assert float(data["period"][0]) == pytest.approx(
+        2 * math.pi * math.sqrt((1 + ratio) * hull.draft / 9.81), rel=1e-12
+    )

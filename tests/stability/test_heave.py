@@ -184,3 +184,9 @@ def test_curves_of_a_sloping_hull_give_equilibria_too(case):
     assert isinstance(ship, HeaveSystem)
     fold = squat_speed(ship.at_current)
     assert len(equilibria(ship.at_current(0.9 * fold.speed))) == 2
+
+
+def test_a_ship_floats_in_still_water_until_a_current_is_named(coarse):
+    assert coarse.current == 0
+    assert coarse.at_current(2.0).current == 2
+    assert float(coarse.slope(0.0)) == 0

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from squat.errors import InputError
-from squat.stability.branches import equilibria
+from squat.stability.branches import equilibria, least_slope
 from squat.stability.dynamic import dynamic_squat_speed, margin
 from squat.stability.fold import squat_speed
 from squat.stability.one_mode import energy
@@ -149,3 +149,23 @@ def test_margin_changes_sign_at_the_separatrix():
         assert (
             margin(mode, float(w), 0.999 * float(v)) > 0 > margin(mode, float(w), 1.001 * float(v))
         )
+
+
+def test_separatrix_that_leaves_at_the_top_keeps_the_energy_up_to_there():
+    mode = Cubic(0.0, fold_speed=5.0)  # it would turn at -3 + 2 r = 7, above the interval
+    loop = separatrix(mode, 51)
+    assert loop.heave[[0, -1]] == pytest.approx([-8.0, mode.interval.high])
+    along = [energy(mode, w, v) for w, v in zip(loop.heave, loop.velocity, strict=True)]
+    assert along == pytest.approx(np.full(51, 2 / 3 * 5.0**3), rel=1e-12)
+    assert np.isnan(loop.area)
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e6])
+def test_least_slope_lies_between_samples_whatever_its_unit(scale):
+    class Scaled(Cubic):
+        def slope(self, w):
+            return scale * (super().slope(w) + 1e-9)
+
+    place, least = least_slope(Scaled(2.5, fold_place=-3.021))
+    assert place == pytest.approx(-3.021, abs=1e-6)
+    assert least == pytest.approx(scale * 1e-9, rel=1e-2)

@@ -14,6 +14,7 @@ from squat.stability import limits, limits_map, portrait
 from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.formulas import FORMULAS, Particulars
 from squat.stability.summary import measured
+from squat.stability.validity import warnings
 from squat.water import Water
 
 QUICK = "accuracy=study", "accuracy.near=0.32", "accuracy.far=0.4"
@@ -200,3 +201,33 @@ def test_figures_stand_speeds_beyond_every_limit(case):
     )
     for name in ("potential", "phase_portrait", "limits", "basins"):
         FigureCanvasAgg(getattr(figures, name)(data)).draw()
+
+
+def warnings_of(case, clearance):
+    data = {"limit_speed": [3.0, 2.9, 2.8], "equilibrium": -0.1, "under_keel_clearance": clearance}
+    return warnings(case, data)
+
+
+@pytest.mark.parametrize(("current", "warned"), [("1.0", True), ("0.0", False)])
+def test_a_boundary_layer_that_fills_the_gap_is_warned_of(case, current, warned):
+    keys = "hull.length=400.0", "hull.draft=18.0", f"current={current}"
+    found = warnings_of(case("limits", *QUICK, *keys), clearance=1.8)
+    assert any("no viscosity" in text for text in found) == warned
+
+
+def test_a_short_ship_with_much_water_below_is_not_warned_of_viscosity(case):
+    found = warnings_of(case("limits", *QUICK, "hull.length=10.0"), clearance=10.0)
+    assert not any("no viscosity" in text for text in found)
+
+
+def test_numbers_are_given_with_the_digits_that_they_deserve():
+    assert measured(2.5, 0.0, "m") == "2.5 m"
+    assert measured(2.0 / 3.0, math.inf, "m") == "0.666667 m"
+    assert measured(math.nan, 0.1, "m") == "none"
+    assert measured(2.0 / 3.0, 0.012, "m") == "0.667 +- 1.2e-02 m"
+
+
+def test_a_box_has_block_coefficient_one(case):
+    data = limits.run(case("limits", *QUICK, "beam=8.0"))
+    notes = dict(zip(data["formula"].values, data["formula_note"].values, strict=True))
+    assert "C_B = 1 is outside" in notes["Huuska/Guliev"]

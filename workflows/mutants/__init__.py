@@ -2,5 +2,5 @@
 
 A mutation is one small change of the source that a test ought to notice. Nothing on disk is
 changed: a forked process imports the changed module and runs the tests that reach the changed
-line, fastest first, until one fails. See docs/decisions/0014-mutants-of-our-own.md.
+line, fastest first, until one fails. See docs/decisions/0016-mutants-of-our-own.md.
 """

@@ -24,7 +24,7 @@ ROOMS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "dynamics": (("dynamics",), ()),
     "fem": (("fem",), ()),
     "stability": (("stability",), ()),
-    "fluid": (("fluid",), ()),
+    "fluid": (("fluid", "stability", "transient"), ()),
     "analysis": (("analysis", "paper"), ("sources",)),
 }
 """Folders of tests that must notice a change of a room; fixtures that it has no part in."""

@@ -1,0 +1,135 @@
+"""Checks of the paper's sentences, on small invented datasets whose answers are plain."""
+
+import json
+import math
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from squat import records
+from squat.analysis import TableCase, piston_tables, write_table
+from squat.analysis.claims import CHECKS, Sources
+from squat.analysis.inertia_tables import table5_critical
+from squat.analysis.lookup import Here
+from squat.analysis.verdicts import table_rows
+from squat.errors import InputError
+from squat.stability.run import run as equilibria
+
+NOTHING = Sources(*[None] * 6, transients=())
+
+
+def inertia(*cells):
+    """Rows of reading, H/T, a/T, i."""
+    names = "reading", "depth_over_draft", "a_over_T", "inertia_coefficient"
+    columns = zip(names, zip(*cells, strict=True), strict=True)
+    return xr.Dataset({name: ("cell", list(values)) for name, values in columns})
+
+
+def coupled(current, status="completed", **data):
+    config = {"coupling": {"integrator": "centred", "potential_rate": "centred"}}
+    attrs = {"coupling": "printed", "current": current, "status": status}
+    return xr.Dataset(data, attrs=attrs | {"config": json.dumps(config)})
+
+
+def finding(claim, **sources):
+    return CHECKS[claim](NOTHING._replace(**sources))
+
+
+@pytest.mark.parametrize(
+    ("highest", "verdict"),
+    [((1.2, 5.0), "match"), ((1.2, 1.0), "differs"), ((4.0, 5.0), "differs")],
+)
+def test_highest_coefficient_is_sought_at_the_corner_of_the_table(highest, verdict):
+    cells = [
+        ("depth", h, a, 9.0 if (h, a) == highest else 1.0) for h in (1.2, 4.0) for a in (1.0, 5.0)
+    ]
+    assert finding("highest", table5=inertia(*cells)).verdict == verdict
+
+
+def test_lighter_water_than_ship_is_counted_by_the_critical_coefficient():
+    """i = 2/(pi a/T) is an added mass as large as the ship's."""
+    cells = [
+        ("depth", h, 2.0, share / math.pi) for h, share in ((1.2, 1.01), (2.0, 0.99), (4.0, 0.98))
+    ]
+    table = inertia(*cells, ("draft", 6.0, 2.0, 0.1), ("depth", 1.1, 9.0, 0.001))
+    found = table5_critical(table)({"a_over_T": "2"})
+    assert found.value == pytest.approx(1 / math.pi)
+    assert found.columns["met"] == "from H/T = 2 on"
+    assert found.note == "m_add <= m from H/T = 2 on in Table 5"
+    assert "3 of 4" in str(finding("rarely_satisfied", table5=table))
+    assert math.isnan(table5_critical(table)({"a_over_T": "3"}).value)
+
+
+def test_the_last_cell_lost_is_named():
+    status = np.array([["converged"] * 2, ["diverged", "converged"], ["converged", "diverged"]])
+    cells = xr.Dataset(
+        {"status": (("added_mass_ratio", "mass_ratio"), status)},
+        {"added_mass_ratio": [0.0, 0.1, 0.2], "mass_ratio": [3.0, 7.0]},
+    )
+    found = finding("unconditional", iterations=cells)
+    assert found.here == "diverges at m_add = 0.2 m_f, m_f = 7 m"
+    assert found.verdict == "paper inconsistent"
+
+
+@pytest.mark.parametrize(("added", "mass"), [("0.5", "9"), ("9", "2"), ("9", "9")])
+def test_a_cell_that_a_study_left_out_is_missing(added, mass):
+    counts = xr.DataArray([[4.0]], {"added_mass_ratio": [0.5], "mass_ratio": [2.0]}).rename("x")
+    look = piston_tables.table3(xr.Dataset({"mean_iterations": counts}))
+    assert look({"madd_over_mf": "0.5", "mf_over_m": "2"}).value == 4.0
+    assert math.isnan(look({"madd_over_mf": added, "mf_over_m": mass}).value)
+
+
+def test_a_value_is_rounded_and_the_print_believed_unless_said_otherwise():
+    assert Here(1.0) == Here(1.0, "", rounds_down=False, inconsistent=False)
+
+
+def test_inertia_fed_back_is_that_of_the_slowest_run_at_its_start():
+    slow = coupled(1.0, fluid_inertia=("time", [12.0, 40.0]), ship_mass=1.0, added_mass=3.0)
+    fast = coupled(2.0, fluid_inertia=("time", [90.0, 91.0]), ship_mass=1.0, added_mass=7.0)
+    said = str(finding("operator_inertia", transients=(fast, slow)))
+    assert "(19) has 12 m, (23) 3 m; the centred reading feeds back 0.25 of the former, 3 m" in said
+
+
+def test_pressure_of_the_ends_is_that_of_the_outer_tenths():
+    x = np.linspace(0.0, 40.0, 401)
+    outer = (x < 4) | (x > 36)
+    pressure = np.where(outer, -100.0, 0.0)
+    run = coupled(
+        1.0,
+        hull_x=("hull_node", x),
+        hull_z=("hull_node", np.zeros(401)),
+        hull_pressure=(("time", "hull_node"), [np.zeros(401), pressure]),
+    )
+    found = finding("pressure_ends", transients=(run,))
+    assert str(found.here).startswith("lower by 100 Pa")
+    assert found.verdict == "match"
+
+
+@pytest.mark.parametrize(("last", "verdict"), [(-0.98, "paper inconsistent"), (-0.5, "differs")])
+def test_where_the_corrected_scheme_stops_its_factor_is_that_of_the_end(last, verdict):
+    factors = ("time", [-0.98 - 0.48 - last, last])
+    run = coupled(2.5, "diverged", predicted_contraction=factors, heave=("time", [0.0, -5.0]))
+    assert finding("corrected_converges", transients=(run,)).verdict == verdict
+
+
+def test_rows_of_a_table_are_named_by_their_keys(tmp_path):
+    cell = {"current": "2", "quantity": "stable", "paper": "-0.8", "here": "-0.81"}
+    cell |= {"difference": "-0.01", "verdict": "match", "note": ""}
+    pd.DataFrame([cell]).to_csv(tmp_path / "table7.csv", index=False)
+    (row,) = table_rows(tmp_path / "table7.csv")
+    assert row["where"] == "Table 7"
+    assert row["claim"].startswith("Table 7: ")
+    assert "paper" not in row["claim"]
+    assert row["here"] == "-0.81"
+    assert row["unit"] == "m"
+
+
+def test_a_table_is_made_of_its_own_kind_of_dataset_only(case, tmp_path):
+    path = tmp_path / "equilibria.nc"
+    records.save(equilibria(case("equilibria")), path, {"task": "equilibria"}, 0.0)
+    write_table(TableCase(name="table7", data=str(path)), tmp_path / "table7.csv")
+    assert set(pd.read_csv(tmp_path / "table7.csv")["verdict"]) <= {"match", "differs"}
+    with pytest.raises(InputError, match="holds 'equilibria' in place of"):
+        write_table(TableCase(name="table4", data=str(path)), tmp_path / "table4.csv")
