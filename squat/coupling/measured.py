@@ -1,6 +1,7 @@
 """A problem of several modes in metres, for one tolerance, and with some of its modes held."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,11 @@ class Measured:
     lengths: Vector
     free: NDArray[np.bool_]
 
+    @cached_property
+    def _same(self) -> bool:
+        """Whether x is q, and all of it free."""
+        return bool(np.all(self.lengths == 1.0) and np.all(self.free))
+
     @property
     def mass(self) -> Vector:
         """Structural mass matrix of x, shape (n, n)."""
@@ -38,6 +44,8 @@ class Measured:
 
     def load(self, trial: Motion, memory: Any, dt: float) -> Load:
         """See `Problem.load`."""
+        if self._same:
+            return self.problem.load(trial, memory, dt)
         force, memory = self.problem.load(self.inward(trial), memory, dt)
         return Load(np.where(self.free, force / self.lengths, 0.0), memory)
 
@@ -48,6 +56,8 @@ class Measured:
 
     def inward(self, motion: Motion) -> Motion:
         """Motion of q for one of x."""
+        if self._same:
+            return motion
         return Motion(*(part / self.lengths for part in motion))
 
     def outward(self, motion: Motion) -> Motion:
@@ -56,5 +66,7 @@ class Measured:
 
     def state(self, state: State, *, outward: bool) -> State:
         """`state` with its motions turned from q to x, or back."""
+        if self._same:
+            return state
         turn = self.outward if outward else self.inward
         return replace(state, past=tuple(turn(motion) for motion in state.past))

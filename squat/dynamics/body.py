@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -47,8 +48,22 @@ class RigidBody:
 
     def gradient(self, q: Vector) -> Vector:
         """Its derivatives, shape (n,) [N/m]: minus the generalised force."""
-        pull = np.array([self.mooring * self._surge(q), 0.0, 0.0])
-        return np.asarray(self.mass * self.gravity * self.height_gradient(q) + pull[self._free])
+        weight = self._upright if self._translates else self.height_gradient(q)
+        return self.mass * self.gravity * weight + self._stiffness * q
+
+    @cached_property
+    def _translates(self) -> bool:
+        return "pitch" not in self.modes
+
+    @cached_property
+    def _upright(self) -> Vector:
+        """dz_G/dq_i at rest; everywhere, for a ship that does not turn."""
+        return self.height_gradient(np.zeros(len(self.modes)))
+
+    @cached_property
+    def _stiffness(self) -> Vector:
+        """Of the mooring, mode by mode, shape (n,) [N/m2]."""
+        return np.array([self.mooring, 0.0, 0.0])[self._free]
 
     def mass_matrix(self, q: Vector) -> Vector:
         """M_s(q), shape (n, n): the centre of mass moves with (s', w') + theta' (-e_z, e_x)."""

@@ -16,7 +16,8 @@ from squat.water import Water
 
 # Two Gauss points an edge: exact for the product of two linear functions.
 _POINTS = 0.5 + np.array([-0.5, 0.5]) / np.sqrt(3)
-_SHAPE = np.stack([1 - _POINTS, _POINTS], axis=1)
+GAUSS = np.stack([1 - _POINTS, _POINTS], axis=1)
+"""The linear functions of an edge's ends at its Gauss points, shape (2 points, 2 ends)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,10 +58,10 @@ class HullPressure:
         ends = (at_ends @ vertices).reshape(-1, 2, 2)
         mesh_velocity = (at_ends @ rates).reshape(-1, 2, 2)
         carried = (mesh_velocity * gradient[:, None]).sum(axis=2)
-        unsteady = (rate[self.edges] - carried) @ _SHAPE.T
+        unsteady = (rate[self.edges] - carried) @ GAUSS.T
         rho, g = self.water.density, self.water.gravity
         speed = (gradient**2).sum(axis=1)
-        head = g * (self.mesh.submesh.limits.level - ends[..., 1] @ _SHAPE.T)
+        head = g * (self.mesh.submesh.limits.level - ends[..., 1] @ GAUSS.T)
         pressure = rho * (head + (current**2 - speed[:, None]) / 2 - unsteady)
         return pressure, ends, edge_normals(ends)
 
@@ -70,7 +71,7 @@ class HullPressure:
         along = normal * (pressure.sum(axis=1) / 2)[:, None]
         parts = {"surge": along[:, 0].sum(), "heave": along[:, 1].sum()}
         if "pitch" in self.mesh.submesh.modes:
-            arm = _SHAPE @ (ends - self.mesh.submesh.center(flow.position))
+            arm = GAUSS @ (ends - self.mesh.submesh.center(flow.position))
             turning = arm[..., 0] * normal[:, [1]] - arm[..., 1] * normal[:, [0]]
             parts["pitch"] = (pressure * turning).sum() / 2
         return np.array([parts[mode] for mode in self.mesh.submesh.modes])
@@ -79,7 +80,7 @@ class HullPressure:
         """Pressure less p_atm at `nodes`: mean of the edges that meet there [Pa]."""
         pressure, _, _ = self.at_points(flow, rate, current)
         # The linear function through both Gauss points, at the edge's ends.
-        ends = pressure @ np.linalg.inv(_SHAPE).T
+        ends = pressure @ np.linalg.inv(GAUSS).T
         size = len(self.mesh.points)
         total = np.bincount(self.edges.ravel(), ends.ravel(), minlength=size)
         count = np.bincount(self.edges.ravel(), minlength=size)

@@ -1,8 +1,10 @@
 """Curves of heave as piecewise polynomials in plain floats: a microsecond an evaluation."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.polynomial import Chebyshev
 from scipy.interpolate import BPoly, PPoly
 
 from squat.fluid.curves import Curves
@@ -11,6 +13,49 @@ from squat.quantities import Vector
 
 _PIECES = 400
 """Pieces over the curves' range: quintic, so that they follow the series to rounding."""
+
+
+def pieces(knots: Vector, series: Chebyshev) -> Vector:
+    """Quintic pieces of a `series`: coefficients (pieces, 6) in (u - knot), highest power first."""
+    values = np.stack([series(knots), series.deriv()(knots), series.deriv(2)(knots)], axis=1)
+    return np.asarray(PPoly.from_bernstein_basis(BPoly.from_derivatives(knots, values)).c.T)
+
+
+class Quintics:
+    """Functions of heave from quintic pieces in u = log(clearance), by their `series` in u.
+
+    Parameters
+    ----------
+    series
+        One for each function, all over the same range.
+    clearance
+        Under-keel clearance at w = 0 [m].
+    """
+
+    def __init__(self, series: Sequence[Chebyshev], clearance: float) -> None:
+        self._clearance = clearance
+        self._low, high = (float(end) for end in series[0].domain)
+        self._least, self._greatest = math.exp(self._low), math.exp(high)
+        self._step = (high - self._low) / _PIECES
+        knots = np.linspace(self._low, high, _PIECES + 1)
+        table = np.stack([pieces(knots, one) for one in series], axis=1)
+        self._rows = [[tuple(row) for row in place] for place in table.tolist()]
+
+    def holds(self, w: float) -> bool:
+        """Whether heave `w` [m] lies in the range of the series."""
+        return self._least <= self._clearance + w <= self._greatest
+
+    def __call__(self, w: float) -> tuple[float, ...]:
+        """Values at heave `w` [m]; beyond the range those of the outermost piece."""
+        u = math.log(self._clearance + w) - self._low
+        place = min(max(int(u / self._step), 0), _PIECES - 1)
+        s = u - place * self._step
+        return tuple(
+            [
+                a0 + s * (a1 + s * (a2 + s * (a3 + s * (a4 + s * a5))))
+                for a5, a4, a3, a2, a1, a0 in self._rows[place]
+            ]
+        )
 
 
 class HeaveTable:
@@ -25,14 +70,8 @@ class HeaveTable:
         self._least, self._greatest = math.exp(self.low), math.exp(high)
         knots = np.linspace(self.low, high, _PIECES + 1)
         self._step = (high - self.low) / _PIECES
-        a, b, c = (self._pieces(knots, series) for series in curves.series)
+        a, b, c = (pieces(knots, series) for series in curves.series)
         self._rows = [tuple(row) for row in np.hstack([a[:, :5], b, c]).tolist()]
-
-    def _pieces(self, knots: Vector, series: np.polynomial.Chebyshev) -> Vector:
-        """Coefficients (pieces, 6) in (u - knot), highest power first; of a series in u."""
-        values = np.stack([series(knots), series.deriv()(knots), series.deriv(2)(knots)], axis=1)
-        pieces = PPoly.from_bernstein_basis(BPoly.from_derivatives(knots, values))
-        return np.asarray(pieces.c.T)
 
     def __call__(self, w: float) -> tuple[float, float, float, float]:
         """Values a' [kg/m2], b, c [kg/m], c' [kg/m2] at heave `w` [m].

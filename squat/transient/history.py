@@ -7,7 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from squat.coupling import State, Step
+from squat.dynamics import Motion
 from squat.fluid.model import Flow
+from squat.fluid.rates import Levels
 from squat.quantities import Vector
 from squat.records.padding import padded
 from squat.transient.case import TransientCase
@@ -19,7 +21,7 @@ from squat.transient.snapshots import Snapshot, snapshot
 class Row(NamedTuple):
     """One accepted step: motion and force of the water (n,), pressure (hull nodes,), iteration.
 
-    A model without field leaves no pressure: shape (0,).
+    A model without field leaves no pressure, shape (0,); a reduced one none until the run's end.
     """
 
     position: Vector
@@ -105,15 +107,30 @@ class History:
         self._accept(step.state, (step.iterations, step.contraction, step.residuals))
 
     def _accept(self, state: State, iteration: tuple[int, float, Vector]) -> None:
-        interval = self.case.snapshots
-        if interval and len(self.rows) % interval == 0:
-            self.snapshots[len(self.rows)] = snapshot(self.parts, state)
+        if self.parts.field is None and self._kept(len(self.rows)):
+            self.snapshots[len(self.rows)] = snapshot(self.parts, state.motion, state.memory)
         self.state = state
         self._append(_row(self.parts, state, iteration))
 
     def _append(self, row: Row) -> None:
         self.rows.append(row)
         self.ending.see(row.position, row.velocity)
+
+    def _kept(self, step: int) -> bool:
+        """Whether a snapshot of `step` is wanted."""
+        return bool(self.case.snapshots) and step % self.case.snapshots == 0
+
+    def complete(self) -> None:
+        """Pressure and snapshots of a run whose potential follows from its motion, at its end."""
+        field, levels = self.parts.field, None
+        if field is None:
+            return
+        for step, row in enumerate(self.rows):
+            motion = Motion(*row[:3])
+            levels = field.levels(motion, levels, self.parts.dt)
+            self.rows[step] = row._replace(pressure=_pressure(self.parts, motion, levels))
+            if self._kept(step):
+                self.snapshots[step] = snapshot(self.parts, motion, levels)
 
     def since(self, row: int) -> Stretch:
         """The rows from number `row` on and where they lead."""
@@ -129,9 +146,12 @@ class History:
 
 
 def _row(parts: Parts, state: State, iteration: tuple[int, float, Vector]) -> Row:
-    motion, memory, fluid = state.motion, state.memory, parts.fluid
-    pressure = np.empty(0)
-    if memory is not None:
-        flow = Flow(motion.position, motion.velocity, memory.now)
-        pressure = fluid.pressure.nodal(flow, memory.rate, fluid.current)
+    motion, memory = state.motion, state.memory
+    unknown = memory is None or parts.field is not None
+    pressure = np.empty(0) if unknown else _pressure(parts, motion, memory)
     return Row(*motion, parts.problem.water_force(motion, memory), pressure, *iteration)
+
+
+def _pressure(parts: Parts, motion: Motion, levels: Levels) -> Vector:
+    flow = Flow(motion.position, motion.velocity, levels.now)
+    return parts.fluid.pressure.nodal(flow, levels.rate, parts.fluid.current)

@@ -30,7 +30,7 @@ from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.heave import HeaveEnergy
 from squat.fluid.model import EnergyModel, FluidModel, forget
 from squat.fluid.potential import PotentialFluid
-from squat.fluid.rates import RATES
+from squat.fluid.rates import RATES, Rate
 from squat.fluid.ship import (
     LOADING,
     about_another_point,
@@ -45,6 +45,8 @@ from squat.quantities import Vector
 from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH, REDUCED
 from squat.reduced.fluid import ReducedFluid
 from squat.reduced.greedy import reduce
+from squat.reduced.heave import HeaveFluid
+from squat.reduced.hull import HullFluid
 from squat.reduced.record import Loaded, load, on_patch
 from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
@@ -61,11 +63,14 @@ class Parts:
     """The pieces of one run; `added_mass` is m_add (n, n) of (23) at q = 0.
 
     `loop` is the problem as the coupling loop sees it; states, kept and recorded, are the ship's.
+    `field` gives the potential after the run, from the motion alone; None where the states hold
+    it, or nothing does.
     """
 
     problem: ShipProblem | EnergyProblem
     loop: Measured
     fluid: Water
+    field: Field | None
     coupling: Coupling | Conserving
     added_mass: Vector
     omega: float
@@ -98,7 +103,8 @@ def prepare(case: TransientCase) -> Parts:
     omega = case.omega(float(added[case.place, case.place]))
     loop = _measured(case, problem)
     coupling = _coupling(case, problem, loop, added)
-    return Parts(problem, loop, fluid, coupling, added, omega, case.time.step(omega))
+    field = Field(fluid, _rate(case)) if case.model == "reduced" else None
+    return Parts(problem, loop, fluid, field, coupling, added, omega, case.time.step(omega))
 
 
 def _body(case: TransientCase) -> RigidBody:
@@ -160,14 +166,24 @@ def curves(case: TransientCase, fluid: Water, lowest: float = np.inf) -> Curves:
 
 
 def _problem(case: TransientCase, fluid: Water) -> ShipProblem | EnergyProblem:
-    rate = RATES[case.coupling.potential_rate]
     free = np.array([mode not in case.held for mode in case.modes])
     if case.force == "pressure":
-        return ShipProblem(_body(case), fluid, rate, free)
+        return ShipProblem(_body(case), _pressed(fluid), _rate(case), free)
     several = len(case.modes) > 1
     model = fluid if several or case.model == "full" else curves(case, fluid)
-    field = None if case.model == "curves" else Field(fluid, rate)
+    field = Field(fluid, _rate(case)) if case.model == "full" else None
     return EnergyProblem(ship_energy(case, fluid, model), field, free)
+
+
+def _pressed(fluid: Water) -> FluidModel:
+    """The same water for pressure forces: the reduced one without its nodes."""
+    if isinstance(fluid, PotentialFluid):
+        return fluid
+    return HeaveFluid.of(fluid) if fluid.model.modes == ("heave",) else HullFluid.of(fluid)
+
+
+def _rate(case: TransientCase) -> Rate:
+    return RATES[case.coupling.potential_rate]
 
 
 def _coupling(

@@ -94,6 +94,10 @@ class Field:
         rate = motion.acceleration @ self.fluid.unit_potentials(motion.position)[1]
         return Levels(potential, potential - dt * rate, rate)
 
+    def levels(self, motion: Motion, memory: Levels | None, dt: float) -> Levels:
+        """Levels after the step that follows `memory`, or at t = 0 where there is none."""
+        return self.start(motion, dt) if memory is None else self.follow(motion, memory, dt)
+
     def follow(self, motion: Motion, memory: Levels, dt: float) -> Levels:
         """Levels after one more step."""
         potential = self._potential(motion)

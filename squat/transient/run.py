@@ -52,6 +52,7 @@ def run(case: TransientCase, segments: Segments | None = None) -> Result:
     steps = _stretches(history, segments)
     for step in progress(steps, case.time.steps, "time steps", history.steps):
         history.take(step)
+    history.complete()
     return Result(dataset(history), fields(parts, history.snapshots) if case.snapshots else None)
 
 

@@ -6,8 +6,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from squat.coupling import State
+from squat.dynamics import Motion
 from squat.fluid.pressure import gradients
+from squat.fluid.rates import Levels
 from squat.quantities import Vector
 from squat.transient.parts import Parts
 
@@ -44,16 +45,17 @@ def fields(parts: Parts, snapshots: Mapping[int, Snapshot]) -> xr.Dataset:
     return dataset
 
 
-def snapshot(parts: Parts, state: State) -> Snapshot:
+def snapshot(parts: Parts, motion: Motion, levels: Levels) -> Snapshot:
     """Coordinates, potential, velocity and pressure (nodes,) of one state, float32."""
-    return {name: np.asarray(row, np.float32) for name, row in _snapshot(parts, state).items()}
+    found = _snapshot(parts, motion, levels)
+    return {name: np.asarray(row, np.float32) for name, row in found.items()}
 
 
-def _snapshot(parts: Parts, state: State) -> dict[str, Vector]:
+def _snapshot(parts: Parts, motion: Motion, levels: Levels) -> dict[str, Vector]:
     fluid = parts.fluid
-    mesh, motion, memory = fluid.mesh, state.motion, state.memory
+    mesh = fluid.mesh
     points = mesh.moved(motion.position)
-    slopes = gradients(points[mesh.triangles], memory.now[mesh.triangles])
+    slopes = gradients(points[mesh.triangles], levels.now[mesh.triangles])
     count = np.bincount(mesh.triangles.ravel(), minlength=len(points))
     speed = np.stack(
         [
@@ -62,14 +64,14 @@ def _snapshot(parts: Parts, state: State) -> dict[str, Vector]:
         ]
     )
     carried = np.tensordot(motion.velocity, mesh.velocities(motion.position), axes=1)
-    unsteady = memory.rate - (carried * speed.T).sum(axis=1)
+    unsteady = levels.rate - (carried * speed.T).sum(axis=1)
     rho, g = fluid.water.density, fluid.water.gravity
     head = g * (mesh.submesh.limits.level - points[:, 1])
     pressure = rho * (head + (fluid.current**2 - (speed**2).sum(axis=0)) / 2 - unsteady)
     return {
         "x": points[:, 0],
         "z": points[:, 1],
-        "potential": memory.now,
+        "potential": levels.now,
         "velocity_x": speed[0],
         "velocity_z": speed[1],
         "pressure": pressure,
