@@ -165,6 +165,7 @@ def test_a_damaged_segment_is_noticed_and_done_again(short, caplog, harm, which)
         ("coupling=energy_momentum", "force=variational"),
         ("modes=[heave,pitch]", "coupling=consistent"),
         ("coupling=energy_momentum", "force=variational", "model=curves"),
+        ("model=reduced",),
     ],
 )
 def test_every_scheme_goes_on_from_a_segment_with_the_same_bytes(short, caplog, overrides):
