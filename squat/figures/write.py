@@ -23,6 +23,7 @@ from squat.figures.race import race
 from squat.figures.stability import basins, limits, limits_map, phase_portrait, potential
 from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
+from squat.figures.trim import trim
 from squat.quantities import STRICT
 from squat.records.coupling_kinds import RACE
 from squat.records.fleet_kinds import STABILITY_MAP
@@ -37,6 +38,7 @@ from squat.records.kinds import (
 )
 from squat.records.schema import Kind
 from squat.records.stability_kinds import LIMITS_MAP, STABILITY
+from squat.records.trim_kinds import TRIM
 
 FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "fig10": (EQUILIBRIA, fig10),
@@ -60,6 +62,7 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "basins": (STABILITY, basins),
     "limits_map": (LIMITS_MAP, limits_map),
     "race": (RACE, race),
+    "trim": (TRIM, trim),
 }
 
 

@@ -3,9 +3,10 @@
 from squat.records.schema import Kind, Variable
 
 _POINT = ("point",)
+_TRIMMED = ("trimmed_point",)
 TRIM = Kind(
     "trim",
-    1,
+    2,
     "Equilibria and limits of a ship in heave and pitch, from its energies",
     {
         "current": Variable(_POINT, "m s-1", "current of the equilibrium, along the branch"),
@@ -14,6 +15,11 @@ TRIM = Kind(
         "unstable": Variable(_POINT, "1", "modes that give way there: 0 stable, 1 a saddle"),
         "heave_stiffness": Variable(_POINT, "N m-2", "d2U/dw2 of the equilibrium"),
         "pitch_stiffness": Variable(_POINT, "N", "d2U/dtheta2 of the equilibrium"),
+        "trimmed_current": Variable(
+            _TRIMMED, "m s-1", "current of the equilibria through the lowest pass"
+        ),
+        "trimmed_heave": Variable(_TRIMMED, "m", "heave of these"),
+        "trimmed_pitch": Variable(_TRIMMED, "rad", "pitch of these, positive bow down"),
         "length": Variable((), "m", "length of the water plane"),
         "displacement": Variable((), "m2", "submerged area at rest"),
         "squat_speed_1d": Variable((), "m s-1", "1D squat speed, Eq. (27)"),

@@ -25,6 +25,8 @@ from squat.trim.equilibria import Modes, Point, branch, fold
 from squat.trim.release import lost_speed
 
 MODES = ("heave", "pitch")
+_REST = 1e-3
+"""Force over the greatest stiffness [m] up to which a place counts as an equilibrium."""
 
 
 def run(case: TrimCase) -> xr.Dataset:
@@ -36,8 +38,10 @@ def run(case: TrimCase) -> xr.Dataset:
     points = branch(modes, np.zeros(2), 0.0, np.array([0.0, 0.0, 1.0]), case.arc, case.points)
     limit = fold(modes, max(points, key=lambda point: point.current))
     one = OneDimensionalModel(hull, case.channel, case.water).squat_speed()
+    limits = _limits(case, ship, region, limit)
     data = {
         **_branch(modes, points),
+        **_trimmed(modes, case, limits),
         "length": hull.length,
         "displacement": hull.outline.area,
         "squat_speed_1d": one.speed,
@@ -45,7 +49,7 @@ def run(case: TrimCase) -> xr.Dataset:
         "squat_speed": limit.current,
         "squat_sinkage": limit.position[0],
         "squat_trim": limit.position[1],
-        **_limits(case, ship, region, limit),
+        **limits,
     }
     return build(TRIM, data, {"hull": case.hull.shape})
 
@@ -88,6 +92,23 @@ def _branch(modes: Modes, points: list[Point]) -> dict[str, Any]:
         "unstable": [p.unstable for p in points],
         "heave_stiffness": [U2[0, 0] for U2 in stiffness],
         "pitch_stiffness": [U2[1, 1] * modes.lengths[1] ** 2 for U2 in stiffness],
+    }
+
+
+def _trimmed(modes: Modes, case: TrimCase, limits: dict[str, Any]) -> dict[str, Any]:
+    """Branch through the lowest pass, both ways; no points where the pass is no equilibrium."""
+    x = np.array([limits["saddle_heave"], limits["saddle_pitch"]]) * modes.lengths
+    strength = limits["safe_speed"] ** 2 / 2
+    ways = [
+        branch(modes, x, strength, sign * np.array([0.0, 0.0, 1.0]), case.arc, case.points)
+        for sign in (-1, 1)
+        if np.linalg.norm(modes.gradient(x, strength)) < _REST * abs(modes.jacobian(x, 0.0)).max()
+    ]
+    points = [*ways[0][:0:-1], *ways[1]] if ways else []
+    return {
+        "trimmed_current": [p.current for p in points],
+        "trimmed_heave": [p.position[0] for p in points],
+        "trimmed_pitch": [p.position[1] for p in points],
     }
 
 

@@ -84,3 +84,20 @@ def test_a_stretched_hull_displaces_what_was_asked_for():
     hull = trim.stretched(case)
     assert hull.outline.area == pytest.approx(400, rel=1e-9)
     assert hull.draft == case.hull.draft
+
+
+def test_the_trimmed_branch_leaves_the_level_one_at_its_fold(vessel):
+    ship, region = vessel
+    modes = Modes(ship.at_current, ship.lengths)
+    barrier = Barrier(ship.at_current, region, np.array([-0.1, 0.002]))
+    safe = barrier.safe_speed(2.6)
+    way = barrier.lowest(safe)
+    x = np.array([way.heave, way.pitch]) * ship.lengths
+    points = branch(modes, x, safe**2 / 2, np.array([0.0, 0.0, 1.0]), 0.3, 14)
+    pitch = np.array([point.position[1] for point in points])
+    assert pitch[0] * pitch[-1] < 0
+    level = points[int(np.abs(pitch).argmin())]
+    limit = fold(modes, level)
+    # A parabola in pitch: the nearest point is at most half a step of arc, 0.15 m, off the fork.
+    assert level.current == pytest.approx(limit.current, rel=1e-2)
+    assert all(point.unstable >= 1 for point in points)

@@ -23,6 +23,7 @@ FIGURES = {
     "limits_map": rules.limits_map.output[0],
     "stability_map": rules.stability_map.output[0],
     "iterations": rules.iterations.output[0],
+    "trim": rules.trim.output[0],
     "race": rules.race.output[0],
     "mesh_quality": rules.mesh.output[0],
     "sensitivity": f"{ADDED_MASS}/sensitivity.nc",
