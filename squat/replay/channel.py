@@ -11,6 +11,7 @@ from squat.channel import AnyHull, Channel
 from squat.quantities import Vector
 from squat.replay import scene
 from squat.replay.field import Scales, draw_field, snapshot_times
+from squat.replay.moved import moved
 from squat.replay.panels import Place, panel
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Run
@@ -77,13 +78,12 @@ def _still_lines(recorder: Recorder, origin: str, extent: Extent) -> None:
 
 
 def _hull(recorder: Recorder, origin: str, run: Run, extent: Extent) -> None:
-    """Closed outline that moves by heave; with the snapshots where there are some."""
+    """Closed outline that moves and turns; with the snapshots where there are some."""
     times = run.steps.time if run.fields is None else snapshot_times(run.fields)
-    heave = np.interp(times, run.steps.time, run.data["heave"].values)
     top = extent.depth + _FREEBOARD * (extent.depth - extent.hull[:, 1].min())
     deck = [(extent.hull[-1, 0], top), (extent.hull[0, 0], top), tuple(extent.hull[0])]
-    outline = scene.placed(np.concatenate([extent.hull, deck]), scene.raised(extent.length))
-    strips = outline + np.array([0, 0, 1], np.float32) * heave[:, None, None].astype(np.float32)
+    outline = moved(run, np.concatenate([extent.hull, deck]), times)
+    strips = scene.placed(outline, scene.raised(extent.length))
     path = f"{origin}/hull"
     recorder.static(path, scene.look(PALE, 2.5))
     recorder.rows(path, run.clock(times), rr.LineStrips3D.columns(strips=list(strips)))

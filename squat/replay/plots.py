@@ -64,6 +64,11 @@ def since_start(*names: str) -> Values:
     return lambda data: sum(data[name] - data[name][0] for name in names) / 1e6  # type: ignore[return-value]
 
 
+def degrees(name: str) -> Values:
+    """An angle of the record in degrees."""
+    return lambda data: data[name] * (180 / np.pi)
+
+
 def error(data: xr.Dataset) -> xr.DataArray:
     """Distance of the piston from its exact position."""
     return data["position"] - data["exact_position"]
@@ -87,6 +92,12 @@ PLOTS = (
         ),
         rrb.Corner2D.LeftBottom,
         constants="roots of Eq. (27)",
+    ),
+    Plot(
+        "pitch",
+        "Pitch, bow down [°]",
+        ("pitch", "pitch_moment"),
+        (Curve("pitch", degrees("pitch"), "pitch", ORANGE, compared=True),),
     ),
     Plot(
         "position",

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 
 from squat.quantities import Vector
 from squat.replay.chart import Chart
+from squat.replay.moved import moved
 from squat.replay.panels import Place, panel
 from squat.replay.recorder import Recorder
 from squat.replay.runs import Run
@@ -25,7 +26,8 @@ def keel(run: Run) -> NDArray[np.int64]:
 def dynamic_pressure(run: Run) -> Vector:
     """Pressure less p_atm + rho g (H - z) at the underside's nodes, (time, keel) [kPa]."""
     water, nodes = run.config["water"], keel(run)
-    z = run.data["hull_z"].values[nodes] + run.data["heave"].values[:, None]
+    rest = np.column_stack([run.data[f"hull_{axis}"].values[nodes] for axis in "xz"])
+    z = moved(run, rest, run.steps.time)[..., 1]
     head = run.config["channel"]["depth"] - z
     static = water["density"] * water["gravity"] * head
     return np.asarray(run.data["hull_pressure"].values[:, nodes] - static) / 1000

@@ -157,6 +157,24 @@ def test_a_ship_of_several_modes_has_its_audit_and_no_portrait(record, entities,
     assert "plots/energy_audit/sum" in found
 
 
+def test_the_hull_that_is_drawn_turns_with_the_mesh_of_its_snapshots(record, entities, written):
+    keys = ("mesh=coarse", "accuracy.near=0.4", "current=1", "time.periods=0.05", "snapshots=2")
+    path = written("trimmed", "transient", *keys, "modes=[heave,pitch]", "initial_pitch=0.05")
+    data, fields = records.read(path), records.read_group(path, "fields")
+    found = entities(record(path))
+    pitch = np.array(found["plots/pitch/pitch"].rows["scalars"])[:, 0]
+    assert pitch == pytest.approx(np.rad2deg(data["pitch"].values), rel=1e-12)
+    strips = found["channel/hull"].rows["strips"]
+    assert len(strips) == fields.sizes["time"]
+    for k, rows in enumerate(strips):
+        outline = np.array(rows[0])[:, [0, 2]]
+        corners = outline[np.argsort(outline[:, 1])[:2]]  # of the keel
+        nodes = np.column_stack([fields[axis].values[k] for axis in "xz"])
+        for corner in corners:
+            apart = np.linalg.norm(nodes - corner, axis=1).min()
+            assert apart < 1e-5  # single precision of some 100 m
+
+
 @pytest.mark.parametrize(
     ("low", "high", "wide"), [(-9, 9, (-10, 10)), (-0.8, 0.7, (-1, 1)), (-6, 0.1, None)]
 )
