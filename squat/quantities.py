@@ -37,5 +37,5 @@ Velocity = Annotated[float, _number(ge=-1e3, le=1e3)]
 """Velocity component [m/s]."""
 Speed = Annotated[float, _number(ge=0, le=1e3)]
 """Magnitude of a velocity [m/s]."""
-Count = Annotated[int, Field(strict=True, ge=1, le=10**9)]
-"""Positive integer."""
+Count = Annotated[int, Field(strict=True, ge=1, le=10**6)]
+"""Positive integer, up to a million: what a run can hold or wait for."""

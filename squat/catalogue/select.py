@@ -8,6 +8,9 @@ import pandas as pd
 from squat.catalogue.find import FIXED, RESULT
 from squat.errors import InputError
 
+_CALLS = ("isin", "isna", "notna", "between", "abs", "contains", "startswith", "endswith")
+"""Methods of columns that a condition may call: none that writes, reads or runs anything."""
+_QUOTED = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`""")
 _WORD = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`|[^\W\d][\w.]*""")
 
 
@@ -20,6 +23,7 @@ def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd
         `where` cannot be read, or names what no run has.
     """
     if where:
+        _harmless(where)
         try:
             found = frame.query(_quoted(where, frame), engine="python")
         except Exception as error:  # pandas raises a dozen types for what a user may mistype
@@ -66,6 +70,18 @@ def _quoted(where: str, frame: pd.DataFrame) -> str:
         return f"`{word}`" if "." in word and word in frame.columns else word
 
     return _WORD.sub(quote, where)
+
+
+def _harmless(where: str) -> None:
+    """Refuse what would make of a condition a program."""
+    bare = _QUOTED.sub("''", where)
+    called = [
+        name for name in re.findall(r"(\w+)\s*\(", bare) if name not in ("and", "or", "not", "in")
+    ]
+    if "@" in bare or "__" in bare or set(called) - set(_CALLS):
+        raise InputError(
+            f"where={where}: only columns, values, comparisons and {', '.join(_CALLS)} are read"
+        )
 
 
 def _known(names: Sequence[str], frame: pd.DataFrame, key: str) -> None:

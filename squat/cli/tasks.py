@@ -107,7 +107,7 @@ def is_done(valid: Valid, path: Path) -> bool:
     if valid.settings.task in FILES or not path.is_file():
         return False
     try:
-        return records.is_answer(records.read(path), valid.config)
+        return records.is_answer(records.read_whole(path), valid.config)
     except InputError:
         return False
 

@@ -4,7 +4,11 @@ import math
 
 from pydantic.dataclasses import dataclass
 
+from squat.errors import InputError
 from squat.quantities import STRICT, Count, Positive
+
+MOST_STEPS = 10**7
+"""Time steps of the longest run whose history fits into memory."""
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -21,6 +25,13 @@ class TimeGrid:
 
     periods: Positive
     steps_per_period: Count
+
+    def __post_init__(self) -> None:
+        if self.periods * self.steps_per_period > MOST_STEPS:
+            raise InputError(
+                f"time.periods={self.periods:g}: with time.steps_per_period="
+                f"{self.steps_per_period} more than {MOST_STEPS} time steps; lower one of them"
+            )
 
     def step(self, omega: float) -> float:
         """Time step dt [s] for the angular frequency `omega` [rad/s]."""

@@ -7,14 +7,13 @@ import gmsh
 import numpy as np
 
 from squat.errors import InputError
+from squat.mesh.count import check_count, corners
 from squat.mesh.mesh import Mesh, boundary_edges
 from squat.mesh.motion import Index
 from squat.mesh.size import MeshSize
 from squat.mesh.submesh import Submesh
 from squat.quantities import Vector
 
-_CORNER = np.deg2rad(30)
-"""Turn of the hull's outline from which a vertex counts as a corner, to be graded to."""
 _OPTIONS = {
     "General.Terminal": 0,
     "General.NumThreads": 1,
@@ -31,8 +30,9 @@ def generate(submesh: Submesh, size: MeshSize) -> Mesh:
     Raises
     ------
     InputError
-        Where gmsh fails, with its reason.
+        Where it would have more nodes than `size` allows, or gmsh fails, with its reason.
     """
+    check_count(submesh, size)
     with _session():
         try:
             lines, surfaces = _geometry(submesh)
@@ -84,8 +84,8 @@ def _sizes(submesh: Submesh, size: MeshSize, lines: dict[tuple[int, int], int]) 
     total = field.add("MathEval")
     field.setString(total, "F", f"{size.near!r}+{size.slope!r}*F{hull}")
     bounds = [total, _constant(size.far)]
-    if size.grading and len(corners := _corners(submesh)):
-        bounds.append(_graded(size, corners))
+    if size.grading and len(found := corners(submesh)):
+        bounds.append(_graded(size, [vertex + 1 for vertex in found]))
     least = field.add("Min")
     field.setNumbers(least, "FieldsList", bounds)
     field.setAsBackgroundMesh(least)
@@ -97,29 +97,15 @@ def _constant(value: float) -> int:
     return tag
 
 
-def _graded(size: MeshSize, corners: list[int]) -> int:
+def _graded(size: MeshSize, tags: list[int]) -> int:
     """Field near (max(r, r0) / corner_radius)^g, the maximum smoothed."""
     field = gmsh.model.mesh.field
     distance, graded = field.add("Distance"), int(field.add("MathEval"))
-    field.setNumbers(distance, "PointsList", corners)
+    field.setNumbers(distance, "PointsList", tags)
     r = f"F{distance}"
     scaled = f"({r}*{r}+{size.smallest!r}^2)/{size.corner_radius!r}^2"
     field.setString(graded, "F", f"{size.near!r}*({scaled})^{size.grading / 2!r}")
     return graded
-
-
-def _corners(submesh: Submesh) -> list[int]:
-    """Tags of the hull's points at which its outline turns sharply."""
-    ship = submesh.boundary["Ship"]
-    after = dict(ship.tolist())
-    before = {b: a for a, b in after.items()}
-    tags = []
-    for vertex in submesh.hull.tolist():
-        a, b, c = submesh.rest[[before[vertex], vertex, after[vertex]]]
-        angle = np.arctan2(*(c - b)[::-1]) - np.arctan2(*(b - a)[::-1])
-        if abs((angle + np.pi) % (2 * np.pi) - np.pi) > _CORNER:
-            tags.append(vertex + 1)
-    return tags
 
 
 def _result(surfaces: list[int]) -> tuple[Vector, Index, Index]:

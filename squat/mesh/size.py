@@ -31,6 +31,8 @@ class MeshSize:
         Distance [m] from a corner within which grading acts.
     order
         Of the elements that will be put on the triangles: 1 or 2.
+    max_nodes
+        A mesh that would have more nodes is refused before it is made.
     """
 
     near: Length
@@ -39,6 +41,7 @@ class MeshSize:
     grading: Annotated[float, Field(strict=True, ge=0, lt=1)]
     corner_radius: Length
     order: Literal[1, 2]
+    max_nodes: Annotated[int, Field(strict=True, ge=1, le=10**8)] = 500_000
 
     def __post_init__(self) -> None:
         if self.far < self.near:

@@ -1,12 +1,21 @@
 """Datasets on disk: self-describing, written whole or not at all, checked when read."""
 
-from squat.records.files import atomic, claim, groups, read, read_group, save, save_table, stamp
+from squat.records.files import (
+    groups,
+    read,
+    read_group,
+    read_whole,
+    save,
+    save_table,
+    stamp,
+)
 from squat.records.identity import identity, is_answer, strict_identity
 from squat.records.inputs import read_input
 from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
 from squat.records.schema import Kind, Variable, build
 from squat.records.segments import Segments
+from squat.records.writing import atomic, claim
 
 __all__ = [
     "KINDS",
@@ -24,6 +33,7 @@ __all__ = [
     "read",
     "read_group",
     "read_input",
+    "read_whole",
     "save",
     "save_table",
     "stamp",

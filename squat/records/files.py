@@ -1,14 +1,11 @@
 """Reading and writing: whole files only, errors of one line."""
 
 import io
-import os
-import tempfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import h5netcdf
 import pandas as pd
 import xarray as xr
 
@@ -16,70 +13,25 @@ from squat.errors import InputError
 from squat.records import provenance
 from squat.records.kinds import KINDS
 from squat.records.schema import Kind
+from squat.records.writing import atomic
 
 _PACKED = {"zlib": True, "complevel": 4, "shuffle": True, "_FillValue": None}
 
 
-@contextmanager
-def atomic(path: Path) -> Iterator[Path]:
-    """A temporary path beside `path` that replaces it on success and vanishes on failure.
-
-    Raises
-    ------
-    InputError
-        Where `path` cannot be written (missing rights, full disk); an older file stays.
-    """
-    temporary: Path | None = None
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(
-            dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
-        )
-        os.close(handle)
-        temporary = Path(name)
-        yield temporary
-        _finish(temporary, path)
-    except OSError as error:
-        raise _unwritable(path, error) from error
-    finally:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
-
-
-def claim(path: Path) -> None:
-    """Make the folder of `path`, and refuse at once what could not be written after a long run.
-
-    Raises
-    ------
-    InputError
-        Where the folder cannot be made or written to.
-    """
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise _unwritable(path, error) from error
-    if not os.access(path.parent, os.W_OK):
-        raise _unwritable(path, PermissionError(0, "the folder is read-only"))
-
-
-def _unwritable(path: Path, error: OSError) -> InputError:
-    reason = error.strerror or str(error).splitlines()[0]
-    return InputError(f"{path}: cannot be written ({reason}); give another out=FILE")
-
-
-def _finish(temporary: Path, path: Path) -> None:
-    mask = os.umask(0)
-    os.umask(mask)
-    temporary.chmod(0o666 & ~mask)
-    with temporary.open("rb+") as file:
-        os.fsync(file.fileno())
-    temporary.replace(path)
-
-
-def stamp(dataset: xr.Dataset, config: Mapping[str, Any], started: float) -> xr.Dataset:
-    """`dataset` with provenance and the digest that `read` asks for; arguments as for `save`."""
-    stamped = dataset.assign_attrs(provenance.attributes(config, started))
-    return stamped.assign_attrs(content_sha256=provenance.digest(dataset))
+def stamp(
+    dataset: xr.Dataset,
+    config: Mapping[str, Any],
+    started: float,
+    groups: Mapping[str, xr.Dataset] | None = None,
+) -> xr.Dataset:
+    """`dataset` with provenance and the seals that `read` asks for; arguments as for `save`."""
+    seals = {name: provenance.seal(group) for name, group in (groups or {}).items()}
+    stamped = dataset.assign_attrs(
+        provenance.attributes(config, started),
+        content_sha256=provenance.digest(dataset),
+        groups_sha256=json.dumps(seals),
+    )
+    return stamped.assign_attrs(record_sha256=provenance.seal(stamped))
 
 
 def save(
@@ -102,7 +54,7 @@ def save(
     groups
         Snapshots, each written compressed into the group of its name.
     """
-    stamped = stamp(dataset, config, started)
+    stamped = stamp(dataset, config, started, groups)
     no_fill = {name: {"_FillValue": None} for name in stamped.variables}
     whole = io.BytesIO()  # HDF5 on a full disk fails in many lines, or takes the process along
     stamped.to_netcdf(whole, engine="h5netcdf", encoding=no_fill)
@@ -143,29 +95,54 @@ def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
             f"give a file written by squat task={kind.name}"
         )
     found.check(dataset, str(path))
-    if dataset.attrs.get("content_sha256") != provenance.digest(dataset):
-        raise InputError(f"{path}: altered since it was written; write it again")
+    if dataset.attrs.get("record_sha256") != provenance.seal(dataset):
+        raise _altered(path)
+    return dataset
+
+
+def read_whole(path: Path) -> xr.Dataset:
+    """Dataset in `path` as `read` gives it, once all its groups proved to be whole as well."""
+    dataset = read(path)
+    for name in _seals(dataset):
+        _group(path, name, dataset)
     return dataset
 
 
 def groups(path: Path) -> tuple[str, ...]:
     """Names of the groups in a file that `read` accepts."""
-    with h5netcdf.File(path, "r") as file:
-        return tuple(file.groups)
+    return tuple(_seals(read(path)))
 
 
 def read_group(path: Path, name: str) -> xr.Dataset:
-    """Snapshots in the group `name` of a dataset that `read` accepts."""
-    read(path)
-    if name not in groups(path):
+    """Snapshots in the group `name` of `path`; raises InputError as `read` does."""
+    dataset = read(path)
+    if name not in _seals(dataset):
         raise InputError(f"{path}: holds no group {name!r}; run with snapshots=1")
+    return _group(path, name, dataset)
+
+
+def _group(path: Path, name: str, dataset: xr.Dataset) -> xr.Dataset:
     try:
         with xr.open_dataset(path, engine="h5netcdf", group=name) as file:
-            return file.load()
+            group = file.load()
     except Exception as error:
         raise InputError(
             f"{path}: group {name!r} is not readable ({type(error).__name__}); write it again"
         ) from error
+    if provenance.seal(group) != _seals(dataset)[name]:
+        raise _altered(path)
+    return group
+
+
+def _seals(dataset: xr.Dataset) -> dict[str, str]:
+    """Seals of the groups by name."""
+    seals = json.loads(dataset.attrs["groups_sha256"])
+    assert isinstance(seals, dict)
+    return seals
+
+
+def _altered(path: Path) -> InputError:
+    return InputError(f"{path}: altered since it was written; write it again")
 
 
 def _kind(dataset: xr.Dataset, path: Path) -> Kind:

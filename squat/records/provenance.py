@@ -92,6 +92,14 @@ def plain(value: Any) -> Any:
     return json.loads(json.dumps(TypeAdapter(type(value)).dump_python(value, mode="json")))
 
 
+def seal(dataset: xr.Dataset) -> str:
+    """SHA-256 over all that `dataset` holds: values, and every attribute but the seal itself."""
+    kept = {name: value for name, value in dataset.attrs.items() if name != "record_sha256"}
+    attributes = {str(name): variable.attrs for name, variable in dataset.variables.items()}
+    text = json.dumps([kept, attributes], sort_keys=True, default=lambda v: np.asarray(v).tolist())
+    return hashlib.sha256((digest(dataset) + text).encode()).hexdigest()
+
+
 def digest(dataset: xr.Dataset) -> str:
     """SHA-256 over names, dimensions and values: equal for equal physics, whoever ran it."""
     total = hashlib.sha256()

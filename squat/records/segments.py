@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from squat.records.files import atomic
 from squat.records.identity import difference
 from squat.records.trees import Leaf, flatten, rebuild
+from squat.records.writing import atomic
 
 _log = logging.getLogger(__name__)
 
