@@ -1,5 +1,6 @@
 """Runs are found by what their files say of themselves, not by where they lie."""
 
+import gc
 import json
 import logging
 from collections.abc import Iterable, Iterator
@@ -12,6 +13,8 @@ from h5netcdf import File
 from squat.catalogue.flat import flatten
 from squat.catalogue.headlines import headline
 from squat.errors import InputError
+from squat.records.files import quiet
+from squat.records.intact import intact
 
 RESULT = "result."
 """What the names of headline figures begin with."""
@@ -32,10 +35,14 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
         A place does not exist, or holds no run.
     """
     places = list(places)
-    rows = [row for path in files(places) if (row := _row(path)) is not None]
+    broken: dict[Path, str] = {}
+    rows = [row for path in files(places) if (row := _row(path, broken)) is not None]
     if not rows:
         names = ", ".join(map(str, places))
-        raise InputError(f"runs={names}: holds no run; give a folder with files of squat")
+        reason = "".join(f" ({path}: {error})" for path, error in [*broken.items()][:1])
+        raise InputError(f"runs={names}: holds no run{reason}; give a folder with files of squat")
+    for path, error in broken.items():
+        _log.warning("%s: passed over, not readable (%s)", path, error)
     frame = pd.DataFrame(rows)
     return frame[[*FIXED, *(name for name in frame.columns if name not in FIXED)]]
 
@@ -51,8 +58,19 @@ def files(places: Iterable[Path]) -> Iterator[Path]:
             yield from sorted(p for p in place.rglob("*.nc") if not p.name.startswith("."))
 
 
-def _row(path: Path) -> dict[str, Any] | None:
+def _row(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:
+    """What `path` says of itself; None for a file of others, or one that is put into `broken`."""
+    with quiet():
+        row = _read(path, broken)
+        gc.collect()  # a file that failed to open, while it is kept quiet
+    return row
+
+
+def _read(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:
     try:
+        if not intact(path):
+            broken[path] = "altered"
+            return None
         with File(path, "r") as file:
             parts = str(file.attrs.get("schema", "")).split("/")
             if parts[0] != "squat" or len(parts) != 3 or "config" not in file.attrs:
@@ -62,5 +80,5 @@ def _row(path: Path) -> dict[str, Any] | None:
             figures = {f"{RESULT}{key}": n for key, n in headline(parts[1], file).items()}
             return {**row, **config, **figures}
     except (OSError, ValueError, KeyError) as error:
-        _log.warning("%s: passed over, not readable (%s)", path, type(error).__name__)
-        return None
+        broken[path] = type(error).__name__
+    return None

@@ -3,6 +3,7 @@
 import logging
 import os
 import sys
+import warnings
 from pathlib import Path
 from typing import NoReturn
 
@@ -18,6 +19,7 @@ import squat
 from squat.cli.arguments import with_lists
 from squat.cli.jobs import Jobs, check, note_failure
 from squat.cli.messages import condense, start_logging
+from squat.cli.targets import guard
 from squat.cli.tasks import is_done, output, run_task
 from squat.config import CONF, validate
 from squat.config.compose import plain
@@ -33,6 +35,8 @@ _ANY_TASK = "task=piston"  # Hydra composes before it prints its help, and a tas
 def main() -> None:
     """Run `squat`; exit code 0 for any result, 2 for bad input."""
     os.environ["HYDRA_FULL_ERROR"] = "1"  # errors reach this function, not Hydra's printer
+    guard()
+    warnings.filterwarnings("error", "provider=", UserWarning)  # a search path that does not exist
     Jobs.reset()
     if sys.argv[1:] == ["--version"]:
         print(f"squat {squat.__version__}")
@@ -45,6 +49,9 @@ def main() -> None:
         sys.exit(INTERRUPTED)
     except TerminatedWorkerError:
         _report("a job was killed, for want of memory perhaps; the same command goes on from here")
+        sys.exit(BAD_INPUT)
+    except MemoryError:
+        _report(f"not enough memory; give a smaller case (in: {' '.join(sys.argv[1:])})")
         sys.exit(BAD_INPUT)
     except Exception as error:
         if Jobs.job_started:
@@ -66,6 +73,8 @@ def _check_options(arguments: list[str]) -> None:
     parser = get_args_parser()
     parser.error = refuse  # type: ignore[method-assign]
     options = parser.parse_args(arguments)
+    if options.experimental_rerun:
+        refuse("--experimental-rerun runs what a pickle holds and is not offered")
     if options.multirun:
         check(options.overrides)
     if options.help and not any(word.startswith("task=") for word in arguments):
@@ -81,7 +90,9 @@ def _entry(config: DictConfig) -> None:
     try:
         _run(config, folder, multirun)
     except Exception as error:
-        expected = isinstance(error, (InputError, OmegaConfBaseException))
+        expected = isinstance(error, (InputError, OmegaConfBaseException)) or (
+            isinstance(error, OSError) and error.filename is not None
+        )
         if not (expected or multirun):
             raise
         line = condense(error, sys.argv[1:])

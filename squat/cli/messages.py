@@ -37,8 +37,11 @@ def condense(error: Exception, arguments: Sequence[str]) -> str:
     text = str(error)
     if isinstance(error, InputError):
         return " ".join(text.split())
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{_short(error.filename)}: {error.strerror}; give another file or folder"
     if isinstance(error, OverrideParseException):
-        return f"{error.override}: cannot be read; give KEY=VALUE, VALUE in quotes if need be"
+        typed = " ".join(str(error.override).split())
+        return f"{typed}: cannot be read; give KEY=VALUE, VALUE in quotes if need be"
     for pattern, line in _KNOWN.items():
         if found := re.search(pattern, text):
             names = found.groupdict()
@@ -56,6 +59,11 @@ def _typed(key: str, arguments: Sequence[str]) -> str:
         if argument.lstrip("+~").split("=")[0] in (key, name):
             return argument.lstrip("+~")
     return key
+
+
+def _short(name: object) -> str:
+    text = " ".join(str(name).split())
+    return text if len(text) <= 200 else text[:197] + "..."
 
 
 def _choices(text: str) -> str:

@@ -8,7 +8,9 @@ from squat.mesh.submesh import Submesh
 
 _CORNER = np.deg2rad(30)
 """Turn of the hull's outline from which a vertex counts as a corner, to be graded to."""
-_SAMPLES = 400
+_SAMPLES = 1000
+_LEAST = 1e-12
+"""Distances from the hull that the size of the triangles is sampled at: how many, and the least."""
 _MIDPOINTS = {1: 1.0, 2: 4.0}
 """Nodes of elements of an order over vertices of their triangles."""
 
@@ -38,13 +40,14 @@ def expected_nodes(submesh: Submesh, size: MeshSize) -> float:
     ends = submesh.rest[submesh.boundary["Ship"]]
     perimeter = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
     reach = (np.sqrt(perimeter**2 + 2 * np.pi * area) - perimeter) / np.pi
-    distance = np.concatenate([[0.0], np.geomspace(min(size.near, reach) * 1e-3, reach, _SAMPLES)])
+    distance = np.concatenate([[0.0], np.geomspace(_LEAST * reach, reach, _SAMPLES)])
     h = np.minimum(size.near + size.slope * distance, size.far)
-    total = float(np.trapezoid((perimeter + np.pi * distance) / h**2, distance))
-    if size.grading:
-        disc = 0.75 * np.pi * (size.corner_radius / size.near) ** 2 / (1 - size.grading)
-        total += len(corners(submesh)) * float(disc)
-    return _MIDPOINTS[size.order] * 2 / np.sqrt(3) * total
+    with np.errstate(over="ignore", divide="ignore"):
+        total = np.trapezoid((perimeter + np.pi * distance) / h**2, distance)
+        if size.grading:
+            across = np.float64(size.corner_radius) / size.near
+            total += len(corners(submesh)) * 0.75 * np.pi * across**2 / (1 - size.grading)
+    return float(_MIDPOINTS[size.order] * 2 / np.sqrt(3) * total)
 
 
 def check_count(submesh: Submesh, size: MeshSize) -> None:

@@ -1,8 +1,11 @@
 """Reading and writing: whole files only, errors of one line."""
 
+import gc
 import io
 import json
-from collections.abc import Mapping
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +14,7 @@ import xarray as xr
 
 from squat.errors import InputError
 from squat.records import provenance
+from squat.records.intact import intact, sealed
 from squat.records.kinds import KINDS
 from squat.records.schema import Kind
 from squat.records.writing import atomic
@@ -62,7 +66,7 @@ def save(
         packed = dict.fromkeys(group.data_vars, _PACKED)
         group.to_netcdf(whole, engine="h5netcdf", group=name, mode="a", encoding=packed)
     with atomic(path) as temporary:
-        temporary.write_bytes(whole.getbuffer())
+        temporary.write_bytes(sealed(whole.getvalue()))
 
 
 def save_table(frame: pd.DataFrame, path: Path) -> None:
@@ -81,13 +85,9 @@ def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
     """
     if not path.is_file():
         raise InputError(f"{path}: no such file; give a dataset that squat wrote")
-    try:
-        with xr.open_dataset(path, engine="h5netcdf") as file:
-            dataset = file.load()
-    except Exception as error:
-        raise InputError(
-            f"{path}: not a readable NetCDF-4 file ({type(error).__name__}); write it again"
-        ) from error
+    if not _intact(path):
+        raise _altered(path)
+    dataset = _load(path, None, "not a readable NetCDF-4 file")
     found = _kind(dataset, path)
     if kind is not None and found.name != kind.name:
         raise InputError(
@@ -122,16 +122,41 @@ def read_group(path: Path, name: str) -> xr.Dataset:
 
 
 def _group(path: Path, name: str, dataset: xr.Dataset) -> xr.Dataset:
-    try:
-        with xr.open_dataset(path, engine="h5netcdf", group=name) as file:
-            group = file.load()
-    except Exception as error:
-        raise InputError(
-            f"{path}: group {name!r} is not readable ({type(error).__name__}); write it again"
-        ) from error
+    group = _load(path, name, f"group {name!r} is not readable")
     if provenance.seal(group) != _seals(dataset)[name]:
         raise _altered(path)
     return group
+
+
+def _intact(path: Path) -> bool:
+    try:
+        return intact(path)
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise InputError(f"{path}: cannot be read ({reason}); give another file") from error
+
+
+def _load(path: Path, group: str | None, trouble: str) -> xr.Dataset:
+    """A group of `path`, None for its root; InputError that begins with `trouble`."""
+    with quiet():
+        try:
+            with xr.open_dataset(path, engine="h5netcdf", group=group) as file:
+                return file.load()
+        except Exception as error:  # whatever a damaged file makes its reader say
+            reason = type(error).__name__
+        gc.collect()  # the half-open file, while it is kept quiet
+    raise InputError(f"{path}: {trouble} ({reason}); write it again")
+
+
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Without the tracebacks of h5netcdf's files that failed to open, when they are collected."""
+    hook = sys.unraisablehook
+    sys.unraisablehook = lambda _: None
+    try:
+        yield
+    finally:
+        sys.unraisablehook = hook
 
 
 def _seals(dataset: xr.Dataset) -> dict[str, str]:

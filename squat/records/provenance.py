@@ -19,6 +19,7 @@ import xarray as xr
 from pydantic import TypeAdapter
 
 import squat
+from squat.records.intact import intact
 
 CONVENTIONS = "CF-1.11"
 PAPER = (
@@ -74,6 +75,8 @@ def inputs(config: Mapping[str, Any]) -> dict[str, str]:
 
 def _content(path: Path) -> str:
     try:
+        if not intact(path):
+            return ""
         with h5netcdf.File(path, "r") as file:
             return str(file.attrs.get("content_sha256", ""))
     except OSError:
