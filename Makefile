@@ -20,7 +20,7 @@ UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-report test-slurm docs test-newest test-mutants format lock benchmark clean
+.PHONY: help environment reproduce test test-fuzz test-faults test-report test-slurm docs test-newest test-mutants format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -47,6 +47,12 @@ test: environment  ## formatter, linter, types, architecture and all tests
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n 2
+
+test-fuzz: environment  ## 10,000 generated bad inputs, and damaged files
+	SQUAT_FUZZ=10000 $(BIN)/pytest tests/fuzz
+
+test-faults: environment  ## 100 kills of the graph, full disks, read-only folders, clocks moved back
+	PATH="$(CURDIR)/$(BIN):$$PATH" SQUAT_KILLS=100 pytest tests/faults
 
 test-report: environment  ## results/report.html in headless Chromium
 	$(BIN)/pytest tests/report -m browser

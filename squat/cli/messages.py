@@ -63,7 +63,7 @@ def _typed(key: str, arguments: Sequence[str]) -> str:
 
 def _short(name: object) -> str:
     text = " ".join(str(name).split())
-    return text if len(text) <= 200 else text[:197] + "..."
+    return text if len(text) <= 300 else text[:297] + "..."
 
 
 def _choices(text: str) -> str:

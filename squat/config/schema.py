@@ -143,6 +143,9 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
         near = difflib.get_close_matches(path.rsplit(".", 1)[-1], siblings, n=1)
         hint = f"did you mean {near[0]!r}?" if near else "leave it out"
         return f"{path}={_short(value)}: unknown key; {hint}"
+    if detail["type"] == "union_tag_not_found":
+        tag = str(detail["ctx"]["discriminator"]).strip("'")
+        return f"{path}.{tag}: missing; give {path}.{tag}=NAME"
     if detail["type"] == "missing":
         return f"{path}: missing; give {path}=VALUE"
     if found := _SIZE.match(message):

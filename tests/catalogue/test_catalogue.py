@@ -69,8 +69,10 @@ def test_what_no_run_has_is_named(runs, where, sort, message):
 def test_foreign_and_broken_files_are_passed_over(runs, tmp_path, caplog):
     xr.Dataset({"a": ("x", np.arange(3.0))}).to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
     (tmp_path / "broken.nc").write_bytes((runs / "roots.nc").read_bytes()[:900])
-    with pytest.raises(InputError, match="holds no run"):
+    with pytest.raises(InputError, match=r"holds no run \(.*broken\.nc: OSError\)"):
         find([tmp_path])
+    assert caplog.records == []  # one line says it all
+    assert len(find([tmp_path, runs])) == len(find([runs]))
     assert [record.getMessage() for record in caplog.records] == [
         f"{tmp_path / 'broken.nc'}: passed over, not readable (OSError)"
     ]

@@ -18,7 +18,7 @@ from squat.records.provenance import digest
 
 ROOT = Path(__file__).parents[2]
 BIN = Path(sys.executable).parent
-PARTS = ("Snakefile", "conf", "squat", "workflows", "profiles")
+PARTS = ("Snakefile", "conf", "squat", "hydra_plugins", "workflows", "profiles")
 COMMAND = "python workflows/unlock.py && exec snakemake {targets} --cores 2 --config cases=small"
 """What `make reproduce` runs, smaller."""
 
@@ -33,6 +33,7 @@ class Chain(NamedTuple):
 
 def source(folder):
     """The source tree as a clone would hold it."""
+    folder.mkdir(parents=True, exist_ok=True)
     ignored = shutil.ignore_patterns("__pycache__")
     for part in PARTS:
         if (ROOT / part).is_dir():
@@ -79,6 +80,8 @@ def physics(results):
 def chain(folder, targets, kills, seed, longest, expected):
     """Kill runs of the graph `kills` times at moments up to `longest` [s] after their start.
 
+    Most moments are early ones, so that long jobs come to their end between two kills all the same.
+
     A killed run is continued by the same command; a completed one is compared with `expected`
     and begun anew. The last is completed and compared.
     """
@@ -86,7 +89,7 @@ def chain(folder, targets, kills, seed, longest, expected):
     while survived < kills:
         process = start(folder, targets)
         try:
-            process.wait(moments.uniform(0, longest))
+            process.wait(longest * moments.random() ** 3)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()

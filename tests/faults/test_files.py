@@ -1,0 +1,125 @@
+"""Full disks, read-only folders, two runs at once, clocks moved back."""
+
+import contextlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from squat.cli.tasks import compute
+from squat.config import compose, validate
+from squat.records import read_whole
+from squat.records.provenance import digest
+
+SQUAT = Path(sys.executable).parent / "squat"
+QUICK = "task=piston", "time.periods=0.3"
+
+
+@pytest.fixture(scope="module")
+def expected():
+    return digest(compute(validate(compose("piston", "time.periods=0.3"))))
+
+
+def start(folder, *words):
+    """The command at work; its stderr goes into a pipe that `end` reads."""
+    return subprocess.Popen([str(SQUAT), *words], cwd=folder, stderr=subprocess.PIPE, text=True)
+
+
+def end(process):
+    """Exit code and stderr."""
+    line = process.communicate()[1]
+    return process.returncode, line
+
+
+@contextlib.contextmanager
+def tmpfs(folder, size):
+    folder.mkdir()
+    command = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)]
+    if subprocess.run(command, check=False, capture_output=True).returncode:
+        pytest.skip("mounting a tmpfs needs root")
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", str(folder)], check=True)
+
+
+def test_a_full_disk_is_one_line_keeps_the_old_file_and_leaves_no_other(tmp_path, expected):
+    with tmpfs(tmp_path / "small", "256k") as folder:
+        assert end(start(folder, *QUICK, "out=run.nc"))[0] == 0
+        before = (folder / "run.nc").read_bytes()
+        room = os.statvfs(folder)
+        (folder / "filler").write_bytes(bytes(room.f_bavail * room.f_frsize - 8192))
+        run = start(folder, *QUICK, "out=run.nc", "log_level=error")
+        code, line = end(run)
+        assert code == 2
+        assert (
+            line == "squat: run.nc: cannot be written (No space left on device); "
+            "give another out=FILE\n"
+        )
+        assert (folder / "run.nc").read_bytes() == before
+        assert sorted(path.name for path in folder.iterdir()) == ["filler", "run.nc"]
+        (folder / "filler").unlink()
+        assert end(start(folder, *QUICK, "out=run.nc"))[0] == 0
+        assert digest(read_whole(folder / "run.nc")) == expected
+
+
+def test_read_only_results_are_one_line_and_stay(tmp_path):
+    with tmpfs(tmp_path / "results", "1m") as folder:
+        (folder / "run.nc").write_bytes(b"old")
+        subprocess.run(["mount", "-o", "remount,ro", str(folder)], check=True)
+        run = start(tmp_path, *QUICK, "out=results/run.nc", "log_level=error")
+        code, line = end(run)
+        assert code == 2
+        assert line.startswith("squat: results/run.nc: cannot be written (")
+        assert line.count("\n") == 1
+        assert (folder / "run.nc").read_bytes() == b"old"
+
+
+def test_runs_that_write_the_same_output_leave_one_whole_file(tmp_path, expected):
+    runs = [start(tmp_path, *QUICK, "out=run.nc") for _ in range(3)]
+    assert [end(run)[0] for run in runs] == [0, 0, 0]
+    assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
+    assert digest(read_whole(tmp_path / "run.nc")) == expected
+
+
+def test_what_killed_writers_left_is_swept_and_what_others_write_is_not(tmp_path):
+    from squat.records import atomic
+
+    leftover = tmp_path / ".run-writing-killed.nc"
+    leftover.write_text("half")
+    with atomic(tmp_path / "run.nc") as first:
+        first.write_text("first")
+        with atomic(tmp_path / "run.nc") as second:
+            assert sorted(tmp_path.iterdir()) == sorted([first, second])
+            second.write_text("second")
+        assert first.exists()
+    assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
+
+
+@pytest.mark.parametrize("shift", [-(10**8), 10**8])
+def test_dates_of_files_decide_nothing_in_a_sweep(tmp_path, squat, shift):
+    command = "-m", *QUICK, "piston.mass_ratio=0.5,2", "hydra.launcher.n_jobs=1"
+    assert squat(*command).returncode == 0
+    for path in tmp_path.rglob("*"):
+        moment = path.stat().st_mtime + shift
+        os.utime(path, (moment, moment))
+    again = squat(*command)
+    assert again.returncode == 0
+    assert again.stderr.count("complete, skipped") == 2
+
+
+def test_same_bytes_of_physics_with_one_and_two_threads_from_another_folder(tmp_path):
+    found = []
+    for threads in "12":
+        folder = tmp_path / threads
+        folder.mkdir()
+        environment = {**os.environ, "OMP_NUM_THREADS": threads, "OPENBLAS_NUM_THREADS": threads}
+        words = ["task=transient", "mesh=coarse", "time.periods=0.05", "accuracy.near=0.4"]
+        subprocess.run(
+            [str(SQUAT), *words, "out=run.nc"], cwd=folder, env=environment, check=True,
+            capture_output=True,
+        )  # fmt: skip
+        found.append(digest(read_whole(folder / "run.nc")))
+    assert found[0] == found[1]
