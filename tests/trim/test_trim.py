@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 from scipy.ndimage import label
+from scipy.optimize import root
 
 from squat.config import compose, validate
+from squat.dynamics.energy_momentum import Phase, advance
 from squat.trim import run as trim
 from squat.trim.barrier import Barrier
 from squat.trim.equilibria import Modes, branch, fold
@@ -101,3 +104,31 @@ def test_the_trimmed_branch_leaves_the_level_one_at_its_fold(vessel):
     # A parabola in pitch: the nearest point is at most half a step of arc, 0.15 m, off the fork.
     assert level.current == pytest.approx(limit.current, rel=1e-2)
     assert all(point.unstable >= 1 for point in points)
+
+
+def test_small_motion_in_a_current_is_that_of_the_linear_system_gam_included(vessel):
+    ship, _ = vessel
+    system, lengths = ship.at_current(2.0), ship.lengths
+    rest = root(lambda q: system.gradient(q) / 1e5, np.array([-1.07, 0.0]), tol=1e-12).x
+    h = 1e-4 / lengths
+    columns = [
+        (system.gradient(rest + e) - system.gradient(rest - e)) / (2 * e.sum()) for e in np.diag(h)
+    ]
+    stiffness, mass = np.array(columns).T, system.mass(rest)
+    gyroscopic = system.gyroscopic(rest)
+    dt, steps, first = 0.2, 60, 1e-4 * np.array([1.0, 0.0])
+
+    def linear(gam):
+        zero, one = np.zeros((2, 2)), np.eye(2)
+        solved = np.linalg.solve(mass, np.hstack([-stiffness, gam]))
+        rate = np.vstack([np.hstack([zero, one]), solved])
+        return lengths * (expm(dt * steps * rate) @ np.append(first, [0, 0]))[:2]
+
+    phase = Phase(rest + first, np.zeros(2))
+    for _ in range(steps):
+        phase = advance(system, phase, dt, lengths).phase
+    moved = lengths * (phase.position - rest)
+    # The step is of second order: omega dt = 0.1 leaves a phase error of some 1e-3 per radian.
+    tolerance = 1e-2 * np.linalg.norm(first)
+    assert np.abs(moved - linear(gyroscopic)).max() < tolerance
+    assert np.abs(moved - linear(0 * gyroscopic)).max() > 3 * tolerance
