@@ -23,6 +23,10 @@ COMMAND = "python workflows/unlock.py && exec snakemake {targets} --cores 2 --co
 """What `make reproduce` runs, smaller."""
 
 
+_AT_WORK = 0.8
+"""Share of the kills that meet jobs at work; the others may come while snakemake starts."""
+
+
 class Chain(NamedTuple):
     """What a chain of kills met: kills survived, runs completed, stray processes and files."""
 
@@ -78,7 +82,7 @@ def physics(results):
 
 
 def chain(folder, targets, kills, seed, longest, expected):
-    """Kill runs of the graph `kills` times at moments up to `longest` [s] after their start.
+    """Kill runs of the graph `kills` times, up to `longest` [s] after their start or first job.
 
     Most moments are early ones, so that long jobs come to their end between two kills all the same.
 
@@ -88,6 +92,8 @@ def chain(folder, targets, kills, seed, longest, expected):
     moments, survived, runs, orphans = random.Random(seed), 0, 0, 0
     while survived < kills:
         process = start(folder, targets)
+        if moments.random() < _AT_WORK:
+            _until_at_work(folder, process)
         try:
             process.wait(longest * moments.random() ** 3)
         except subprocess.TimeoutExpired:
@@ -106,6 +112,12 @@ def chain(folder, targets, kills, seed, longest, expected):
     return Chain(survived, runs + 1, orphans)
 
 
+def _until_at_work(folder, process):
+    """Wait until the first job begins."""
+    while b"Job stats" not in (folder / "log").read_bytes() and process.poll() is None:
+        time.sleep(0.05)
+
+
 def _end_orphans(folder):
     """End what a killed run left at work in `folder`; how many there were."""
     count = 0
@@ -116,7 +128,7 @@ def _end_orphans(folder):
                 process.wait(10)
                 count += 1
         except psutil.Error:
-            time.sleep(0)
+            continue
     return count
 
 
