@@ -14,13 +14,15 @@ unexport PYTHONDONTWRITEBYTECODE
 
 PYTHON ?= python3
 NEWEST ?= $(PYTHON)
+COVERED := coupling dynamics fem fluid stability analysis
+COVERING := $(COVERED) paper piston external transient
 VENV := .venv
 BIN := $(VENV)/bin
 UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-fuzz test-faults test-report test-slurm docs test-newest test-mutants format lock benchmark clean
+.PHONY: help environment reproduce test test-fuzz test-faults test-report test-slurm docs test-coverage test-newest test-mutants format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -62,6 +64,10 @@ test-slurm: environment  ## the graph and a sweep on a real SLURM of two nodes o
 
 docs: environment  ## build the pages of docs/ in build/docs/index.html
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs build/docs
+
+test-coverage: environment  ## branch coverage of the rooms that carry the numbers, at least 95 %
+	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n 2 $(COVERING:%=tests/%) $(COVERED:%=--cov=squat.%) --cov-branch \
+	    --cov-report=term-missing:skip-covered --cov-fail-under=95
 
 test-newest: environment  ## all tests with the newest version of everything, in .venv-newest/; NEWEST=python3.13
 	$(BIN)/uv venv --quiet --clear --python $(NEWEST) .venv-newest

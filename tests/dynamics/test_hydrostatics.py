@@ -127,3 +127,11 @@ def test_a_body_turns_about_its_centre_of_mass_unless_told_otherwise():
     body = RigidBody(MODES, 4.0, 9.0, 9.8)
     assert body.mass_matrix(Q) == pytest.approx(np.diag([4.0, 4.0, 9.0]), abs=1e-14)
     assert body.potential(Q) == pytest.approx(4.0 * 9.8 * Q[1])
+
+
+def test_weight_and_mooring_pull_as_their_energy_falls():
+    body = RigidBody(MODES, 4.0, 9.0, 9.8, offset=(0.4, -0.7), mooring=30.0)
+    h = 1e-5
+    found = [(body.potential(Q + e) - body.potential(Q - e)) / (2 * h) for e in h * np.eye(3)]
+    assert body.gradient(Q) == pytest.approx(found, rel=1e-8)
+    assert body.potential(np.array([0.5, 0.0, 0.0])) == pytest.approx(30.0 * 0.5**2 / 2)

@@ -99,3 +99,18 @@ def test_modes_select_what_is_derived():
 def test_inadmissible_position_has_no_matrix():
     with pytest.raises(PositionError, match="grounded"):
         stiffness("rectangle", 1).at(np.array([0, -9.9, 0]))
+
+
+@CASES
+def test_projected_terms_and_blocks_are_those_of_the_matrix(order):
+    affine = stiffness("rectangle", order)
+    theta, size = affine.theta(Q), affine.at(Q).shape[0]
+    V = np.random.default_rng(1).standard_normal((3, size))
+    projected = np.einsum("j,jab->ab", theta, affine.project(V))
+    direct = V @ (affine.at(Q) @ V.T)
+    assert projected == pytest.approx(direct, rel=1e-11, abs=1e-11 * np.abs(direct).max())
+    rows = np.arange(3, size, 2)
+    pattern, assemble = affine.block(rows)
+    pattern.data = assemble @ theta
+    inner = affine.at(Q)[rows][:, rows]
+    assert abs(pattern - inner).max() < 1e-12 * abs(inner).max()

@@ -12,7 +12,7 @@ from squat.stability.dynamic import dynamic_squat_speed, margin
 from squat.stability.fold import squat_speed
 from squat.stability.one_mode import energy
 from squat.stability.orbits import linear_period, orbit
-from squat.stability.separatrix import separatrix, well
+from squat.stability.separatrix import bounded, separatrix, well
 from tests.stability.systems import Cubic, Pendulum
 
 CUBIC = Cubic(0.0)
@@ -169,3 +169,11 @@ def test_least_slope_lies_between_samples_whatever_its_unit(scale):
     place, least = least_slope(Scaled(2.5, fold_place=-3.021))
     assert place == pytest.approx(-3.021, abs=1e-6)
     assert least == pytest.approx(scale * 1e-9, rel=1e-2)
+
+
+def test_bounded_motion_is_that_inside_the_separatrix():
+    mode = CUBIC.at_current(1.5)
+    loop = separatrix(mode, 21)
+    w, v = float(loop.heave[10]), float(loop.velocity[10])
+    assert bounded(mode, w, 0.999 * v)
+    assert not bounded(mode, w, 1.001 * v)

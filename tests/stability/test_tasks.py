@@ -231,3 +231,31 @@ def test_a_box_has_block_coefficient_one(case):
     data = limits.run(case("limits", *QUICK, "beam=8.0"))
     notes = dict(zip(data["formula"].values, data["formula_note"].values, strict=True))
     assert "C_B = 1 is outside" in notes["Huuska/Guliev"]
+
+
+def test_a_cell_of_the_map_is_the_answer_about_that_ship(case):
+    """L/T = 4 and H/T = 2 with T = 10 m is the ship of section 3.6."""
+    one = limits_map.cell(case("limits_map", *QUICK), 4.0, 2.0)
+    data = limits.run(case("limits", *QUICK))
+    assert [one.limit_1d, one.limit_2d, one.limit_dynamic] == pytest.approx(
+        data["limit_speed"].values, rel=1e-9
+    )
+    assert [one.limit_2d_error, one.limit_dynamic_error] == pytest.approx(
+        data["limit_error"].values[1:], rel=1e-3
+    )
+    assert 0 > one.sinkage_2d > -10
+    assert 0 > one.sinkage_1d > -10
+
+
+@pytest.mark.parametrize(
+    ("keys", "said"),
+    [
+        (("hull=half_ellipse",), "1D limit: takes the hull for a box"),
+        (("channel.bottom=[[10,0],[20,4]]",), "take the bottom for flat"),
+        (("free_surface=blend",), "blend: the hull's motion feels zero pressure"),
+        ((), "rigid lid: the lowering of the surface"),
+    ],
+)
+def test_what_the_model_leaves_out_is_said(case, keys, said):
+    found = warnings_of(case("limits", *QUICK, *keys), clearance=9.9)
+    assert any(text.startswith(said) or said in text for text in found)

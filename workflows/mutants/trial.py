@@ -19,6 +19,7 @@ import pytest
 
 _POLL = 0.05
 _BROKEN = 70
+_LONGEST = 3600.0
 _QUIET = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--tb=line"]
 _QUIET += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # hypothesis is imported already
 SURVIVED, KILLED, TIMEOUT = "survived", "killed", "timeout"
@@ -114,7 +115,12 @@ def record(folders: list[str], room: str, folder: Path, kept: tuple[str, ...]) -
     how = ["--cov-branch", "--cov-context=test", "--cov-report="]
     config = f"--cov-config={folder / 'coveragerc'}"
     arguments = [*_QUIET, f"--cov=squat.{room}", config, *how, *folders]
-    code = _forked(lambda: pytest.main(arguments, [Recorder(folder, kept)]), folder / "log", 3600)
+
+    def run() -> int:
+        with joblib.parallel_config(backend="sequential"):  # coverage sees this process alone
+            return int(pytest.main(arguments, [Recorder(folder, kept)]))
+
+    code = _forked(run, folder / "log", _LONGEST)
     if code != 0:
         raise RuntimeError(f"{room}: a test fails on the code as it is; see {folder / 'log'}")
 
