@@ -138,9 +138,14 @@ def judge(bad, done, before):
         "a very long line": len(err) > 700,
         f"left behind {set(tree()) ^ set(before)}": tree() != before,
         "names neither key nor value": bad.names
-        and not any(name.strip("' ")[:60] in err for name in bad.names),
+        and not any(_printed(name) in err for name in bad.names),
     }
     return "; ".join([f"{fault}: {err[:500]!r}" for fault, found in faults.items() if found][:1])
+
+
+def _printed(name):
+    """The part of a key or value that a line must show: no quotes, no end of a long one."""
+    return name.strip("' ").partition("\x00")[0][:60]
 
 
 def _nonsense():
