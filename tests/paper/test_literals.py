@@ -71,7 +71,12 @@ LAYOUT = {"figures", "replay", "report"}
 """Rooms whose numbers place things on a page: two equal digits there are chance."""
 
 
-CHANCE = {"formulas.py": {"0.76"}}  # Huuska's K_s = 7.45 S + 0.76
+CHANCE = {
+    "formulas.py": {"0.76"},  # Huuska's K_s = 7.45 S + 0.76
+    "count.py": {"0.75"},  # three quarters of a circle at a corner
+    "barrier.py": {"1.01"},  # one percent more
+    "run.py": {"1.01"},  # likewise
+}
 
 
 def recognisable(path):
