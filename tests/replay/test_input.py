@@ -1,13 +1,15 @@
 """Files that cannot be replayed, and how several are named."""
 
 import re
+import time
 
-import h5py
 import numpy as np
 import pytest
 
+from squat import records
 from squat.cli.arguments import with_lists
 from squat.errors import InputError
+from squat.records.kinds import TRANSIENT
 from squat.replay.case import ReplayCase
 from squat.replay.write import write_replay
 
@@ -35,9 +37,9 @@ def test_broken_and_foreign_files_are_named(tmp_path, ship, tube):
 
 def test_snapshots_that_lack_a_variable_are_named(tmp_path, ship):
     path = tmp_path / "lame.nc"
-    path.write_bytes(ship.read_bytes())
-    with h5py.File(path, "a") as file:
-        del file["fields/velocity_x"]
+    run, snapshots = records.read(ship, TRANSIENT), records.read_group(ship, "fields")
+    lame = {"fields": snapshots.drop_vars("velocity_x")}
+    records.save(run, path, records.config_of(run), time.perf_counter(), lame)
     assert "lame.nc: snapshots lack 'velocity_x'" in refused(tmp_path, path)
 
 
