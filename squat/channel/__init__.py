@@ -8,6 +8,7 @@ from squat.channel.channel import Channel, check_afloat
 from squat.channel.hull import Hull
 from squat.channel.outline import Outline, moments
 from squat.channel.points import Curve, Polygon
+from squat.channel.resize import resized, stretched
 from squat.channel.shapes import ChamferedBox, HalfEllipse, Lewis, Rectangle, RoundedBox, Vee
 
 AnyHull = Annotated[
@@ -31,4 +32,6 @@ __all__ = [
     "Vee",
     "check_afloat",
     "moments",
+    "resized",
+    "stretched",
 ]

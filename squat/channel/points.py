@@ -1,10 +1,11 @@
 """Hull sections given by points, straight or smooth."""
 
 from abc import abstractmethod
-from typing import Annotated, Literal
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, WrapValidator
 from pydantic.dataclasses import dataclass
 from scipy.interpolate import CubicSpline
 from shapely.geometry import LineString, box
@@ -18,39 +19,68 @@ Points = Annotated[tuple[tuple[Position, Position], ...], Field(min_length=3)]
 _WIDE = 1e7
 
 
+def _null_or(value: object, check: Callable[[object], Any]) -> Any:
+    return value if value is None else check(value)
+
+
+AsDrawn = Annotated[Length, WrapValidator(_null_or)]
+"""Length [m]; null becomes what the points say, so that a hull's sizes are numbers for all."""
+_AS_DRAWN: Any = None
+
+
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class _Given(Hull):
     """A section given by points (x, z), z upwards from the still water line, bow first.
 
-    What lies below the water is stretched to `length` at the water line and to `draft`, so that
-    every hull can be resized by the same two numbers.
-
     Parameters
     ----------
+    length, draft
+        L and T [m] that what lies below the water is stretched to. None: the points stay as they
+        are, and L is their span at the foot of the walls, T their depth.
     wall
         Height [m] of the vertical sides below the still water line: what the points say above it
         is replaced by walls from there on (they stay as they are where they are vertical already).
     """
 
+    length: AsDrawn = _AS_DRAWN
+    draft: AsDrawn = _AS_DRAWN
     points: Points
     wall: Length
 
+    def __post_init__(self) -> None:
+        given: dict[str, float | None] = {"length": self.length, "draft": self.draft}
+        if None not in given.values():
+            return
+        area = self._simple(self.curve())
+        if given["draft"] is None:
+            object.__setattr__(self, "draft", self._depth(area))
+        if given["length"] is None:
+            lower = self._lower(area)
+            object.__setattr__(self, "length", float(lower[-1, 0] - lower[0, 0]))
+
     def section(self) -> Vector:
         """See `Hull.section`."""
+        area = self._simple(self.curve())
+        lower = self._lower(area)
+        top = np.array([(lower[0, 0], 0.0), (lower[-1, 0], 0.0)])
+        chain = np.concatenate([top[:1], lower, top[1:]])
+        stretch = self.length / (chain[-1, 0] - chain[0, 0]), self.draft / self._depth(area)
+        return np.asarray((chain - np.array([chain[0, 0], 0.0])) * np.array(stretch))
+
+    def _lower(self, area: Area) -> Vector:
+        """Chain of `area`, as drawn, from the foot of one wall to that of the other."""
         if self.wall >= self.draft:
             raise InputError(
                 f"hull.wall={self.wall:g}: must be less than hull.draft={self.draft:g}"
             )
-        area = self._simple(self.curve())
-        depth = -area.bounds[1]
+        return self._cut(area, -self.wall / self.draft * self._depth(area))
+
+    @staticmethod
+    def _depth(area: Area) -> float:
+        depth = -float(area.bounds[1])
         if depth <= 0:
             raise InputError("hull.points: none lies below the water line z=0; lower them")
-        foot = -self.wall / self.draft * depth
-        lower = self._cut(area, foot)
-        top = np.array([(lower[0, 0], 0.0), (lower[-1, 0], 0.0)])
-        chain = np.concatenate([top[:1], lower, top[1:]])
-        stretch = self.length / (chain[-1, 0] - chain[0, 0]), self.draft / depth
-        return np.asarray((chain - np.array([chain[0, 0], 0.0])) * np.array(stretch))
+        return depth
 
     @abstractmethod
     def curve(self) -> Vector:

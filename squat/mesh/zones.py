@@ -26,6 +26,10 @@ _STEEP = 1.0 + 1e-9
 _FENCE = 2.0
 """Distance between hull and fence over H, where the channel is that long."""
 
+_CLEAR = 0.1
+"""Height over H by which lines from the keel to the bottom clear what lies between."""
+_SAME = 1e-9
+"""Distance between a hull point and the corner of the bottom below it, over H, that is none."""
 _INSIDE = 0.6
 """Distance between hull and helper, at most, over that to the water line's follower."""
 _ASIDE, _APART, _OPEN = 1.2, 0.35, 0.4
@@ -126,8 +130,13 @@ def _below_keel(zones: Zones, channel: Channel, bed: Vector) -> list[int]:
 
 
 def _follower(zones: Zones, channel: Channel, bed: Vector, hull: int) -> int:
-    """Point of the bottom below a hull point, which follows it along the bottom."""
+    """Point of the bottom below a hull point, which follows it along the bottom.
+
+    On a corner of the bottom it stays: a follower would take the corner along.
+    """
     x = zones.points[hull][0]
+    if np.abs(bed[1:-1, 0] - x).min(initial=np.inf) < _SAME * channel.depth:
+        return zones.add(np.array([x, float(channel.floor(np.array(x)))]))
     segment = int(np.clip(np.searchsorted(bed[:, 0], x, "right") - 1, 0, len(bed) - 2))
     dx, dz = bed[segment + 1] - bed[segment]
     return zones.add(np.array([x, float(channel.floor(np.array(x)))]), BED, hull, float(dz / dx))
@@ -142,7 +151,14 @@ def _end(
     limit = bed[0 if side < 0 else -1, 0]
     x = outermost + side * min(_FENCE * level, side * (limit - outermost))
     corners = [p for p in bed[1:-1] if side * (p[0] - zones.points[under][0]) > 0]
-    close = [p for p in corners if side * (x - p[0]) > 0 and side * (p[0] - outermost) > level / 2]
+    keel = steep[-1]
+    close = [
+        p
+        for p in corners
+        if side * (x - p[0]) > 0
+        and side * (p[0] - outermost) > level / 2
+        and _seen(zones.rest[keel], p, corners, _CLEAR * level)
+    ]
     if close:
         x = min(close, key=lambda p: side * p[0])[0]
     top = zones.add(np.array([x, level]))
@@ -151,8 +167,7 @@ def _end(
         (tuple(p) for p in corners if side * (x - p[0]) > 0), key=lambda p: side * p[0]
     )
     floor = [under, *(zones.add(np.array(p)) for p in between), foot]
-    keel = steep[-1]
-    fan = [(floor[j], keel, floor[j + 1]) for j in range(len(floor) - 1)]
+    fan = _over_floor(zones, side, keel, floor, _CLEAR * level)
     near = _surface(zones, steep, outermost, x, level)
     hub = _helper(zones, side, steep, abs(zones.points[near][0] - outermost))
     if hub is None:
@@ -166,6 +181,29 @@ def _end(
     zones.triangles += fan if side < 0 else [(a, c, b) for a, b, c in fan]
     _beyond(zones, side, x, (top, foot), bed, level)
     zones.reach = min(zones.reach or np.inf, abs(x - outermost))
+
+
+def _seen(eye: Vector, point: Vector, corners: list[Vector], room: float) -> bool:
+    """Whether all corners of the bottom lie `room` [m] below the line from `eye` to `point`."""
+    between = [c for c in corners if (c[0] - eye[0]) * (c[0] - point[0]) < 0]
+    slope = (point[1] - eye[1]) / (point[0] - eye[0])
+    return all(c[1] + room < eye[1] + slope * (c[0] - eye[0]) for c in between)
+
+
+def _over_floor(
+    zones: Zones, side: int, keel: int, floor: list[int], room: float
+) -> list[tuple[int, int, int]]:
+    """Triangles between the keel's end and the floor: a fan, unless a shelf hides some of it.
+
+    The fan is taken if it would do for a keel that is lower by `room` [m], too, or by half of its
+    height over the bottom.
+    """
+    eye, left, right = zones.rest[keel], zones.rest[floor[:-1]], zones.rest[floor[1:]]
+    lowered = eye - np.array([0.0, min(room, (eye[1] - left[0, 1]) / 2)])
+    if np.all(cross(left, lowered, right) * -side > 0):
+        return [(a, keel, b) for a, b in pairwise(floor)]
+    found = triangulate(zones.rest, [keel, *floor])
+    return found if side < 0 else [(a, c, b) for a, b, c in found]
 
 
 def _surface(zones: Zones, steep: list[int], outermost: float, fence: float, level: float) -> int:

@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
-from squat.channel import AnyHull, Channel, Curve, HalfEllipse, Polygon, Rectangle, check_afloat
+from squat.channel import (
+    AnyHull,
+    Channel,
+    Curve,
+    HalfEllipse,
+    Polygon,
+    Rectangle,
+    check_afloat,
+    stretched,
+)
 from squat.config import compose, validate
 from squat.errors import InputError
 from tests.hulls import CHANNEL, NAMES, hull
@@ -40,6 +49,19 @@ def test_area_agrees_with_the_closed_form_but_for_the_chords(name, area, toleran
     assert hull(name).outline.area == pytest.approx(area, rel=tolerance)
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_a_stretched_hull_displaces_what_was_asked_for_at_its_draft(name):
+    found = stretched(hull(name), 333.0)
+    assert found.outline.area == pytest.approx(333, rel=1e-12)
+    assert found.draft == hull(name).draft
+    assert stretched(hull(name), None) is hull(name)
+
+
+def test_an_area_that_no_length_gives_is_refused_by_name():
+    with pytest.raises(InputError, match="displacement=3: no length"):
+        stretched(hull("rounded_box"), 3.0)
+
+
 def test_chords_converge_to_the_ellipse_with_second_order():
     shape = {"length": 40.0, "draft": 10.0, "wall": 1.0}
     exact = 40 + math.pi / 4 * 40 * 9
@@ -59,6 +81,40 @@ def test_polygon_keeps_vertical_walls_and_cuts_sloped_ones_at_the_wall():
     wedge = Polygon(points=((0, 0), (2, -1), (4, 0)), length=4.0, draft=1.0, wall=0.25).outline
     assert wedge.wall_height == pytest.approx(0.25)
     assert wedge.area == pytest.approx(4 * 0.25 + 4 * 0.75 / 2)
+
+
+def test_points_in_metres_stay_where_they_are_unless_sizes_are_given():
+    points = ((0, 0), (0, -5), (10, -8), (100, -8), (120, -4), (120, 0))
+    x, z = np.array(points, float).T
+    shoelace = abs(np.dot(x, np.roll(z, -1)) - np.dot(z, np.roll(x, -1))) / 2
+    key = f"hull.points={[list(point) for point in points]}"
+    drawn = validate(compose("equilibria", "hull=polygon", key, "channel.depth=12"))
+    assert (drawn.case.hull.length, drawn.case.hull.draft) == (120, 8)
+    assert drawn.config["hull"]["length"] == 120
+    assert drawn.config["hull"]["draft"] == 8
+    outline = drawn.case.hull.outline
+    assert outline.vertices == pytest.approx(np.array(points), abs=1e-12)
+    assert outline.area == pytest.approx(shoelace, rel=1e-14)
+    longer = hull("polygon", key, "hull.length=240.0")
+    assert (longer.length, longer.draft) == (240, 8)
+    assert longer.outline.area == pytest.approx(2 * shoelace, rel=1e-14)
+
+
+def test_sloped_sides_keep_their_points_below_the_walls():
+    wedge = Polygon(points=((0, 0), (2, -1), (4, 0)), wall=0.25)
+    assert (wedge.length, wedge.draft) == (3, 1)
+    assert wedge.outline.area == pytest.approx(3 * 0.25 + 3 * 0.75 / 2)
+
+
+def test_a_curve_is_as_long_and_deep_as_its_chords():
+    found = hull("curve")
+    vertices = found.outline.vertices
+    assert found.draft == pytest.approx(-vertices[:, 1].min(), rel=1e-12)
+    assert found.length == pytest.approx(vertices[-1, 0] - vertices[0, 0], rel=1e-12)
+    drawn = found.curve()
+    below = drawn[drawn[:, 1] < -found.wall]
+    shifted = below + (vertices[vertices[:, 1].argmin()] - below[below[:, 1].argmin()])
+    assert np.abs(vertices[:, None] - shifted).max(axis=2).min(axis=0).max() < 1e-9
 
 
 @pytest.mark.parametrize(
@@ -104,6 +160,12 @@ def test_curve_with_coinciding_points_is_refused_by_name():
         (["hull=v", "hull.wall=10.0"], "hull.wall=10: must be less than hull.draft=10"),
         (["hull=rounded_box", "hull.radius=11.0"], "hull.radius=11: must be less"),
         (["hull=lewis", "hull.segments=2"], "hull.segments=2"),
+        (
+            ["hull=polygon", "hull.points=[[0,0],[4,-9],[4,0],[0,-9]]"],
+            "hull.points: the outline crosses itself",
+        ),
+        (["hull=polygon", "hull.wall=10.0"], "hull.wall=10: must be less than hull.draft=10"),
+        (["hull=polygon", "hull.length=-1.0"], "hull.length=-1"),
         (["hull.length=inf"], "hull.length=inf"),
         (["hull.length=-1.0"], "hull.length=-1"),
         (["hull=half_ellipse", "hull.shape=egg"], "hull"),

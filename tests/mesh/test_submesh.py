@@ -1,5 +1,7 @@
 """The moving submesh: orientation for every admissible position, limits by name, exact rates."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -134,13 +136,38 @@ def test_steps_and_slopes_of_the_bottom_carry_the_submesh(bottom):
             assert coarse.areas(coarse.positions(np.array(q, float))).min() > 0
 
 
+@pytest.mark.parametrize(
+    "bottom",
+    [((48.5, 3.0), (51.5, 0.0)), ((44.25, 3.0), (45.75, 0.0)), ((-11.5, 0.0), (-8.5, 3.0))],
+)
+def test_a_shelf_hides_the_bottom_behind_it_from_the_keel_and_still_is_meshed(bottom):
+    channel = replace(CHANNEL, bottom=bottom)
+    for name in NAMES:
+        coarse = submesh(hull(name), channel)
+        for q in ([0, 0, 0], [0.1, -0.5, 0.005], [-0.1, 0.5, -0.005]):
+            assert coarse.areas(coarse.positions(np.array(q, float))).min() > 0
+
+
+@pytest.mark.parametrize("x", [0.0, 40.0])
+def test_a_corner_of_the_bottom_below_an_end_of_the_keel_stays_where_it_is(x):
+    channel = replace(CHANNEL, bottom=((x - 5.0, 3.0), (x, 0.0)))
+    coarse = submesh(hull("rectangle"), channel)
+    water = [
+        coarse.areas(coarse.motion.positions(np.array(q))).sum()
+        for q in ([0.0, 0.0, 0.0], [0.3, 0.0, 0.0])
+    ]
+    # Surge neither lifts the hull nor changes the channel: the water keeps its area.
+    assert water[1] == pytest.approx(water[0], rel=1e-13)
+
+
 def test_one_triangle_may_not_straddle_two_zones_and_the_area_is_whole():
     for name in NAMES:
         fine = FINE[name]
         assert fine.straddling() == 0
         a, b, c = (fine.points[i] for i in fine.triangles.T)
         total = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]).sum() / 2
-        assert total == pytest.approx(140 * 20 - hull(name).outline.area, rel=1e-12)
+        channel = (CHANNEL.upstream + hull(name).length + CHANNEL.downstream) * CHANNEL.depth
+        assert total == pytest.approx(channel - hull(name).outline.area, rel=1e-12)
 
 
 FEATURES = {"chamfered_box": "chamfer", "rounded_box": "radius"}
