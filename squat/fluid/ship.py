@@ -24,7 +24,12 @@ def rigid_body(hull: Hull, water: Water, modes: tuple[str, ...], mooring: float 
 
 def about_gravity(mesh: Mesh, hull: Hull) -> Mesh:
     """`mesh` with pitch about the centre of gravity of `hull`, which makes M_s constant."""
-    return mesh.about(hull.center_of_gravity + np.array([0.0, mesh.submesh.motion.level]))
+    return mesh.about(center_of_gravity(mesh.submesh, hull))
+
+
+def center_of_gravity(submesh: Submesh, hull: Hull) -> Vector:
+    """Centre of gravity of `hull` in the coordinates of `submesh` at rest, shape (2,) [m]."""
+    return np.asarray(hull.center_of_gravity + np.array([0.0, submesh.motion.level]))
 
 
 def about_another_point(matrix: Vector, shift: Vector) -> Vector:

@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from typing import Literal
 
+import xarray as xr
+
+from squat.dynamics import Motion
 from squat.mesh import Submesh
 from squat.mesh.limits import PITCH
 from squat.quantities import Vector
@@ -11,6 +14,10 @@ from squat.transient.parts import Parts
 
 _TRIM = 0.98
 """Share of the mesh's largest pitch beyond which a run ends."""
+_LEARNT = 0.9
+"""The same share of the reduced model's: a step short of it, so that the cause can be told."""
+Exit = Literal["grounded", "overtrimmed"]
+_REMEDY = "coupling=consistent_quasi_newton takes large added mass"
 
 
 @dataclass
@@ -25,6 +32,8 @@ class Ending:
         Clearance [m] below which the ship counts as grounded.
     heave
         Place of heave in q.
+    greatest_pitch
+        Pitch [rad] beyond which the ship counts as overtrimmed.
     resolved
         Speed [m/s] below which the sign of a velocity says nothing: it moves the ship by less in
         a step than the tolerance to which the step is solved. None: turning points are no end.
@@ -35,9 +44,10 @@ class Ending:
     submesh: Submesh
     least: float
     heave: int
+    greatest_pitch: float
     resolved: float | None
     direction: int = 0
-    status: Literal["grounded", "overtrimmed", "turned"] | None = None
+    status: Exit | Literal["turned"] | None = None
 
     @staticmethod
     def of(case: TransientCase, parts: Parts) -> "Ending":
@@ -47,18 +57,50 @@ class Ending:
         scale = 1.0 if criterion.name == "absolute" else abs(case.initial_heave)
         turns = case.time.until == "turn"
         resolved = criterion.tolerance * scale / parts.dt if turns else None
-        return Ending(submesh, case.grounding * submesh.limits.clearance, case.place, resolved)
+        least = case.grounding * submesh.limits.clearance
+        return Ending(submesh, least, case.place, _greatest_pitch(case), resolved)
 
     def see(self, position: Vector, velocity: Vector) -> None:
         """Take note of one more accepted step, q and q' (n,)."""
         speed = float(velocity[self.heave])
-        if self.submesh.clearance(position) < self.least:
-            self.status = "grounded"
-        elif abs(self.submesh.full(position)[2]) > _TRIM * PITCH:
-            self.status = "overtrimmed"
+        if (left := self._exit(position)) is not None:
+            self.status = left
         elif self.resolved is None:
             return
         elif self.direction == 0:
             self.direction = (speed > self.resolved) - (speed < -self.resolved)
         elif speed * self.direction < 0:
             self.status = "turned"
+
+    def ahead(self, motion: Motion, dt: float) -> Exit | None:
+        """What the ship meets within `dt` [s] if it keeps the acceleration of `motion`.
+
+        A step that fails there has not failed for want of a better scheme: its end does not exist.
+        """
+        q, velocity, acceleration = motion
+        return self._exit(q + dt * velocity + dt**2 / 2 * acceleration)
+
+    def _exit(self, position: Vector) -> Exit | None:
+        if self.submesh.clearance(position) < self.least:
+            return "grounded"
+        if abs(self.submesh.full(position)[2]) > self.greatest_pitch:
+            return "overtrimmed"
+        return None
+
+
+def told(dataset: xr.Dataset, case: TransientCase) -> str:
+    """How and where the run of `case` in `dataset` ended, for the log."""
+    status, failed = str(dataset.attrs["status"]), dataset["failed_residual"].size > 0
+    if status == "completed":
+        return status
+    step, heave = dataset.sizes["time"] - 1 + failed, float(dataset["heave"][-1])
+    where = f"{status} at step {step} of {case.time.steps} (w = {heave:.4g} m)"
+    scheme = status in ("diverged", "iteration limit") and case.coupling.name.startswith("printed")
+    return f"{where}; {_REMEDY}" if scheme else where
+
+
+def _greatest_pitch(case: TransientCase) -> float:
+    greatest = float(_TRIM * PITCH)
+    if case.model == "reduced" and "pitch" in case.modes:
+        return min(greatest, _LEARNT * float(case.reduced.box.pitch))
+    return greatest

@@ -90,10 +90,16 @@ class History:
     def status(self) -> str | None:
         """How the run ended; None while it goes on."""
         if self.failed is not None:
-            return self.failed.status
+            return self._failure(self.failed)
         if self.ending.status is None and self.steps >= self.case.time.steps:
             return "completed"
         return self.ending.status
+
+    def _failure(self, failed: Step) -> str:
+        """What a step that did not converge says of the run."""
+        if failed.status != "diverged":
+            return failed.status
+        return self.ending.ahead(self.state.motion, self.parts.dt) or failed.status
 
     def begin(self, state: State) -> None:
         """Take the state at t = 0."""

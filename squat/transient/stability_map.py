@@ -28,6 +28,7 @@ from squat.reduced.case import MeshInput, ReducedCase
 from squat.reduced.greedy import Training
 from squat.reduced.record import Loaded, load, on_patch
 from squat.reduced.run import make
+from squat.stability.fold import squat_speed
 from squat.stability.heave import HeaveSystem
 from squat.stability.one_mode import Interval
 from squat.stability.separatrix import separatrix
@@ -37,6 +38,8 @@ from squat.water import Water
 Mask = NDArray[np.bool_]
 _POINTS = 24
 """Positions that the curves are made from."""
+_TOWARDS_FOLD = 1 - np.linspace(1, 1e-3, 80) ** 2
+"""Currents over the fold's at which the edge is drawn: evenly in the root that it closes with."""
 _INSIDE = 1e-9
 """Share of the curves' range kept clear of their upper end."""
 
@@ -118,7 +121,11 @@ def run(case: StabilityMapCase) -> xr.Dataset:
             f"must lie between {lowest:.4g} and {fleet.highest:.4g} m"
         )
     fates = _march(case, fleet, heave, current)
-    loops = _loops(case, curves, lowest, current)
+    interval = Interval(lowest, curves.ends[1])
+    system = replace(HeaveSystem.of(case.hull, case.water, curves), interval=interval)
+    loops = _loops(system, current)
+    towards_fold = squat_speed(system.at_current).speed * _TOWARDS_FOLD
+    edge = _loops(system, towards_fold)
     expected = _inside(loops, heave)
     grounded = fates["outcome"] == GROUNDED
     decided = fates["outcome"] != UNDECIDED
@@ -131,6 +138,9 @@ def run(case: StabilityMapCase) -> xr.Dataset:
         "expected_safe": expected.astype(np.int8),
         "barrier": loops[0],
         "turn": loops[1],
+        "edge_current": towards_fold,
+        "edge_barrier": edge[0],
+        "edge_turn": edge[1],
     }
     return build(
         STABILITY_MAP,
@@ -200,10 +210,8 @@ def _one_by_one(ended: Iterator[tuple[Index, Fates]], rows: Vector) -> Iterator[
         yield from numbers.tolist()
 
 
-def _loops(case: StabilityMapCase, curves: Curves, lowest: float, current: Vector) -> Vector:
+def _loops(system: HeaveSystem, current: Vector) -> Vector:
     """Least and greatest safe initial heave at each current by energy alone, shape (2, current)."""
-    interval = Interval(lowest, curves.ends[1])
-    system = replace(HeaveSystem.of(case.hull, case.water, curves), interval=interval)
     found = [separatrix(system.at_current(V), 2).heave for V in current.tolist()]
     return np.array(found).T
 

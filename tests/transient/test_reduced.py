@@ -35,12 +35,28 @@ def test_reduced_run_is_the_full_one(ship, keys):
     assert float(pressure / abs(full["hull_pressure"]).max()) < 1e-6
 
 
-def test_reduced_run_with_pitch_is_the_full_one(ship):
+@pytest.mark.parametrize(
+    "how",
+    [
+        ("force=variational", "coupling=energy_momentum", "current=1", "reduced.positions=20"),
+        ("coupling=printed", "current=2"),
+    ],
+)
+def test_reduced_run_with_pitch_is_the_full_one(ship, how):
+    """By energies, second order in the field's error, and by pressure, first order."""
     keys = ("modes=[heave,pitch]", "initial_pitch=0.001", "reduced=heave_pitch", "mesh.near=2")
-    how = ("force=variational", "coupling=energy_momentum", "current=1", "time.periods=0.15")
-    full, reduced = (run(ship(*keys, *how, "mesh.far=6", f"model={m}")).dataset for m in MODELS)
+    keys = (*keys, *how, "mesh.far=6", "time.periods=0.15")
+    full, reduced = (run(ship(*keys, f"model={m}")).dataset for m in MODELS)
+    half_length = 20.0
     assert float(abs(full["heave"] - reduced["heave"]).max()) < SAME
-    assert float(abs(full["pitch"] - reduced["pitch"]).max()) < SAME
+    assert float(abs(full["pitch"] - reduced["pitch"]).max()) * half_length < SAME
+
+
+def test_a_ship_that_trims_beyond_the_model_ends_by_name(ship):
+    keys = ("modes=[heave,pitch]", "initial_pitch=0.0185", "current=0", "reduced=heave_pitch")
+    size = ("mesh.near=2", "mesh.far=6", "reduced.positions=6", "reduced.tolerance=1e-3")
+    data = run(ship(*keys, *size, "model=reduced")).dataset
+    assert data.attrs["status"] == "overtrimmed"
 
 
 def test_run_that_diverges_or_grounds_does_so_on_the_reduced_model(ship):

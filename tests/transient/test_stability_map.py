@@ -48,6 +48,16 @@ def test_every_transient_ends_on_the_side_of_the_separatrix_that_energy_says(dat
     assert np.array_equal(outcome == GROUNDED, data["expected_safe"].values == 0)
 
 
+def test_the_edge_closes_at_the_fold_like_a_root(data):
+    """Near a fold U is cubic: both equilibria and the turn leave it with (V_f - V)^(1/2)."""
+    near = data.isel(edge_current=slice(-12, None))
+    width = (near["edge_turn"] - near["edge_barrier"]).values
+    fold = near["edge_current"].values[-1]
+    order = np.polyfit(np.log(fold - near["edge_current"].values[:-3]), np.log(width[:-3]), 1)[0]
+    assert order == pytest.approx(0.5, abs=0.02)
+    assert width[-1] < 0.1 * width[0]
+
+
 def test_ships_a_millimetre_apart_part_at_the_separatrix(case, fleet, data):
     """Both branches, at a current of the map: the time step is far finer than the grid."""
     place = 15
