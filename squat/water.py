@@ -2,7 +2,7 @@
 
 from pydantic.dataclasses import dataclass
 
-from squat.quantities import STRICT, Positive
+from squat.quantities import STRICT, Acceleration, Density
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -17,5 +17,5 @@ class Water:
         g [m/s2].
     """
 
-    density: Positive
-    gravity: Positive
+    density: Density
+    gravity: Acceleration

@@ -27,10 +27,11 @@ def stability_map(data: xr.Dataset) -> Figure:
         rasterized=True,
         vmax=float(seconds.quantile(0.98)),
     )
-    turn = data["turn"].where(data["turn"] < w[-1])
-    loop = np.r_[data["barrier"].values, turn.values[::-1]]
+    edge = data["edge_current"].values
+    turn = data["edge_turn"].where(data["edge_turn"] < w[-1]).values
+    loop = np.r_[data["edge_barrier"].values, turn[::-1]]
     known = np.isfinite(loop)
-    line = axes.plot(np.r_[V, V[::-1]][known], loop[known], "k", lw=1.6, label="separatrix")
+    line = axes.plot(np.r_[edge, edge[::-1]][known], loop[known], "k", lw=1.6, label="separatrix")
     handles: list[Artist] = [*line]
     for code, color, label in (
         (_LIFTED, "0.8", "rises beyond the model"),

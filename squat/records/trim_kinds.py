@@ -6,7 +6,7 @@ _POINT = ("point",)
 _TRIMMED = ("trimmed_point",)
 TRIM = Kind(
     "trim",
-    2,
+    3,
     "Equilibria and limits of a ship in heave and pitch, from its energies",
     {
         "current": Variable(_POINT, "m s-1", "current of the equilibrium, along the branch"),
@@ -25,12 +25,17 @@ TRIM = Kind(
         "squat_speed_1d": Variable((), "m s-1", "1D squat speed, Eq. (27)"),
         "squat_sinkage_1d": Variable((), "m", "w where its roots merge"),
         "squat_speed": Variable((), "m s-1", "2D squat speed, pitch free: the branch's fold"),
+        "squat_speed_error": Variable((), "m s-1", "its error, from coarser meshes; NaN: none"),
         "squat_sinkage": Variable((), "m", "heave at the fold"),
         "squat_trim": Variable((), "rad", "pitch at the fold, positive bow down"),
         "heave_only_limit": Variable(
             (), "m s-1", "dynamic squat speed of the start with its pitch locked"
         ),
+        "heave_only_limit_error": Variable(
+            (), "m s-1", "its error, from coarser meshes; NaN: none"
+        ),
         "safe_speed": Variable((), "m s-1", "current up to which its energy keeps the ship"),
+        "safe_speed_error": Variable((), "m s-1", "its error, from coarser meshes; NaN: none"),
         "saddle_heave": Variable((), "m", "heave of the lowest way out at safe_speed"),
         "saddle_pitch": Variable((), "rad", "pitch of the lowest way out at safe_speed"),
         "dynamic_limit": Variable(

@@ -21,6 +21,8 @@ from squat.quantities import Vector
 from squat.trim.equilibria import Family
 
 _WALL = 1.01 * WALL
+_ROOM = 0.1
+"""Least room for heave at the greatest trim over that at rest."""
 _HEAVES, _TRIMS = 33, 41
 """Points of the grid over heave, dense near the ground, and over pitch."""
 
@@ -52,6 +54,19 @@ class Region(NamedTuple):
         full = np.array([0.0, 0.0, pitch])
         top = self.submesh.motion.positions(full)[self.submesh.hull, 1].max()
         return float(min(limits.draft / 2, limits.level - top - _WALL * limits.wall))
+
+    def greatest_pitch(self) -> float:
+        """Trim [rad] up to `pitch` at which, either way, a tenth of the heaves at rest is left.
+
+        A long hull over a small gap touches the ground at one end while the other leaves the water.
+        """
+        room = self.high(0.0) - self.low(0.0)
+
+        def left(pitch: float) -> float:
+            rooms = (self.high(p) - self.low(p) for p in (pitch, -pitch))
+            return min(rooms) - _ROOM * room
+
+        return float(brentq(left, 0.0, self.pitch)) if left(self.pitch) < 0 else self.pitch
 
     def heaves(self, pitch: float) -> Vector:
         """Heaves [m] from the ground up at `pitch`, in proportion to the clearance."""
@@ -111,16 +126,19 @@ class Barrier:
         return self._along_exit(system, i, j) if at_exit else self._exact(system, q)
 
     def _saddle(self, strength: float) -> tuple[int, int]:
-        """Place on the grid where start and exit are first joined by all that is lower."""
+        """Place on the grid where the start's well and an exit are first joined by all lower ones.
+
+        From the well, not from the start: a start above the pass has a margin below zero.
+        """
         still, moving = self._terms
         U = still - strength * moving
         apart = (self._places - self.start) / [self.region.submesh.limits.draft, self.region.pitch]
-        start = np.unravel_index(np.argmin((apart**2).sum(axis=-1)), U.shape)
-        levels = np.sort(U[U[start] <= U])
+        well = _well(U, np.unravel_index(np.argmin((apart**2).sum(axis=-1)), U.shape))
+        levels = np.sort(U[U[well] <= U])
         low, high = 0, len(levels) - 1
         while low < high:
             middle = (low + high) // 2
-            joined = _joined(levels[middle] >= U, start)
+            joined = _joined(levels[middle] >= U, well)
             low, high = (low, middle) if joined else (middle + 1, high)
         i, j = np.argwhere(levels[low] == U)[0]
         return int(i), int(j)
@@ -172,11 +190,23 @@ class Barrier:
         return float(brentq(self.margin, 0.0, fastest, xtol=1e-5))
 
 
-def _joined(sea: Vector, start: tuple[np.intp, ...]) -> bool:
-    """Whether `sea` (heaves, trims) joins the start to the ground or to a greatest trim."""
+def _well(U: Vector, start: tuple[np.intp, ...]) -> tuple[np.intp, ...]:
+    """Place where steepest descent on the grid `U` (heaves, trims) from `start` ends."""
+    i, j = start
+    while True:
+        top, left = max(i - 1, np.intp(0)), max(j - 1, np.intp(0))
+        near = U[top : i + 2, left : j + 2]
+        if near.min() >= U[i, j]:
+            return i, j
+        down, right = np.unravel_index(np.argmin(near), near.shape)
+        i, j = top + down, left + right
+
+
+def _joined(sea: Vector, well: tuple[np.intp, ...]) -> bool:
+    """Whether `sea` (heaves, trims) joins the well to the ground or to a greatest trim."""
     pools, _ = label(sea)
     exits = np.concatenate([pools[0], pools[:, 0], pools[:, -1]])
-    return bool(np.any(exits == pools[start]))
+    return bool(np.any(exits == pools[well]))
 
 
 def ridge(system: Lagrangian, region: Region, pitch: float) -> Pass:

@@ -1,10 +1,15 @@
 """What the task `trim` is asked."""
 
+from dataclasses import replace
+from typing import Annotated
+
+from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel import AnyHull, Channel
+from squat.fluid.accuracy import LEVELS, extrapolate
 from squat.mesh import MeshSize
-from squat.quantities import STRICT, Angle, Area, Count, Fraction, Position, Positive
+from squat.quantities import STRICT, Angle, Area, Count, Fraction, Position, Positive, Vector
 from squat.reduced import Training
 from squat.water import Water
 
@@ -18,6 +23,35 @@ class Released:
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
+class Companions:
+    """Coarser meshes, and what their values say about the error of those on the case's mesh.
+
+    Parameters
+    ----------
+    refinement
+        Ratio of the element sizes of one mesh and the next.
+    safety
+        Factor on the estimated error, 1.25 with three meshes (Roache).
+    """
+
+    refinement: Annotated[float, Field(strict=True, gt=1, le=4)]
+    safety: Positive
+
+    def sizes(self, mesh: MeshSize) -> list[MeshSize]:
+        """Sizes of the coarser meshes, the coarsest first."""
+        return [_coarser(mesh, self.refinement**power) for power in range(LEVELS - 1, 0, -1)]
+
+    def error(self, values: Vector) -> Vector:
+        """Errors of the last row of `values` (LEVELS, n), the coarsest mesh's first; NaN: none."""
+        return extrapolate(list(values), self.refinement, self.safety).error
+
+
+def _coarser(mesh: MeshSize, factor: float) -> MeshSize:
+    near, far = factor * mesh.near, factor * mesh.far
+    return replace(mesh, near=near, far=far, corner_radius=max(mesh.corner_radius, 1.1 * near))
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
 class TrimCase:
     """A ship whose heave and pitch are followed over the current, up to where it is lost.
 
@@ -25,6 +59,8 @@ class TrimCase:
     ----------
     displacement
         Submerged area [m2] that the hull's length is stretched to; None: as it is.
+    companions
+        Coarser meshes, for the errors.
     reduced
         Reduced model of the water that all is computed on.
     start
@@ -41,6 +77,7 @@ class TrimCase:
     channel: Channel
     water: Water
     mesh: MeshSize
+    companions: Companions
     reduced: Training
     displacement: Area | None
     start: Released

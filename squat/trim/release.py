@@ -1,5 +1,6 @@
 """Set free and watched: the current that loses a ship, by bisection on energy-keeping runs."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from squat.dynamics.energy_momentum import Phase, advance
 from squat.dynamics.lagrangian import Lagrangian, energy
 from squat.mesh import PositionError
+from squat.progress import progress
 from squat.quantities import Vector
 from squat.trim.barrier import Region
 from squat.trim.equilibria import Family
@@ -74,9 +76,10 @@ def lost_speed(
     if not last.lost:
         return float("nan"), last
     kept = None
-    while high - low > tolerance or kept is None:
-        middle = low if high - low <= tolerance else (low + high) / 2
+    halvings = math.ceil(math.log2(max((high - low) / tolerance, 1.0)))
+    for _ in progress(range(halvings), halvings, "runs"):
+        middle = (low + high) / 2
         track = release(family(middle), region, start, lengths, *grid)
         low, high = (low, middle) if track.lost else (middle, high)
         kept = kept if track.lost else track
-    return (low + high) / 2, kept
+    return (low + high) / 2, kept or release(family(low), region, start, lengths, *grid)

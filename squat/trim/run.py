@@ -1,5 +1,6 @@
 """Task `trim`: equilibria, stiffness, folds and limits of heave and pitch, and of heave alone."""
 
+import logging
 import math
 from dataclasses import replace
 from typing import Any
@@ -8,11 +9,11 @@ import numpy as np
 import xarray as xr
 from scipy.optimize import brentq
 
-from squat.channel import AnyHull
+from squat.channel import AnyHull, stretched
 from squat.dynamics.lagrangian import Lagrangian
 from squat.fluid.energy import ShipEnergy, still_water
-from squat.fluid.ship import about_gravity, check_stability, rigid_body
-from squat.mesh import Mesh, submesh
+from squat.fluid.ship import about_gravity, center_of_gravity, check_stability, rigid_body
+from squat.mesh import Mesh, MeshSize, PositionError, submesh
 from squat.mesh.generate import generate
 from squat.quantities import Vector
 from squat.records import build
@@ -24,19 +25,23 @@ from squat.trim.case import TrimCase
 from squat.trim.equilibria import Modes, Point, branch, fold
 from squat.trim.release import lost_speed
 
+_log = logging.getLogger(__name__)
 MODES = ("heave", "pitch")
+ESTIMATED = ("squat_speed", "safe_speed", "heave_only_limit")
+"""Numbers with an error from coarser meshes."""
 _REST = 1e-3
 """Force over the greatest stiffness [m] up to which a place counts as an equilibrium."""
 
 
 def run(case: TrimCase) -> xr.Dataset:
     """Dataset of kind `trim`."""
-    hull = stretched(case)
-    ship, mesh = _ship(case, hull)
+    hull = stretched(case.hull, case.displacement)
+    case = _within_reach(case, hull)
+    ship, mesh = _ship(case, hull, case.mesh)
     region = _region(case, mesh)
     modes = Modes(ship.at_current, ship.lengths)
-    points = branch(modes, np.zeros(2), 0.0, np.array([0.0, 0.0, 1.0]), case.arc, case.points)
-    limit = fold(modes, max(points, key=lambda point: point.current))
+    points = _from_rest(case, modes)
+    limit = _fold(modes, points)
     one = OneDimensionalModel(hull, case.channel, case.water).squat_speed()
     limits = _limits(case, ship, region, limit)
     data = {
@@ -51,24 +56,60 @@ def run(case: TrimCase) -> xr.Dataset:
         "squat_trim": limit.position[1],
         **limits,
     }
+    data |= _errors(case, hull, data)
     return build(TRIM, data, {"hull": case.hull.shape})
 
 
-def stretched(case: TrimCase) -> AnyHull:
-    """The hull with its length such that it displaces what the case asks for."""
-    if case.displacement is None:
-        return case.hull
-
-    def excess(factor: float) -> float:
-        hull = replace(case.hull, length=factor * case.hull.length)
-        return hull.outline.area - float(case.displacement or 0.0)
-
-    return replace(case.hull, length=case.hull.length * float(brentq(excess, 0.4, 3.0)))
+def _from_rest(case: TrimCase, modes: Modes) -> list[Point]:
+    toward = np.array([0.0, 0.0, 1.0])
+    return branch(modes, np.zeros(2), 0.0, toward, case.arc, case.points)
 
 
-def _ship(case: TrimCase, hull: AnyHull) -> tuple[ShipEnergy, Mesh]:
+def _fold(modes: Modes, points: list[Point]) -> Point:
+    return fold(modes, max(points, key=lambda point: point.current))
+
+
+def _errors(case: TrimCase, hull: AnyHull, found: dict[str, Any]) -> dict[str, float]:
+    """Estimated errors of `ESTIMATED`; NaN where the coarser meshes hold no answer."""
+    coarser = [_on(case, hull, size) for size in case.companions.sizes(case.mesh)]
+    values = np.array([*coarser, [found[name] for name in ESTIMATED]], float)
+    names = [f"{name}_error" for name in ESTIMATED]
+    return dict(zip(names, case.companions.error(values).tolist(), strict=True))
+
+
+def _on(case: TrimCase, hull: AnyHull, size: MeshSize) -> list[float]:
+    """`ESTIMATED` on another mesh, all found there anew; NaN where it is too coarse for a fold."""
+    try:
+        ship, mesh = _ship(case, hull, size)
+        region, start = _region(case, mesh), _start(case)
+        modes = Modes(ship.at_current, ship.lengths)
+        limit = _fold(modes, _from_rest(case, modes)).current
+        safe = Barrier(ship.at_current, region, start).safe_speed(limit)
+        return [limit, safe, _heave_alone(ship, region, start, limit)]
+    except PositionError:
+        return [math.nan] * len(ESTIMATED)
+
+
+def _start(case: TrimCase) -> Vector:
+    return np.array([case.start.heave, case.start.pitch])
+
+
+def _within_reach(case: TrimCase, hull: AnyHull) -> TrimCase:
+    """`case` with no more pitch in the box of its reduced model than hull and channel admit."""
+    size = case.reduced.box
     coarse = submesh(hull, case.channel, MODES)
-    mesh = about_gravity(generate(coarse, case.mesh), hull)
+    coarse = coarse.about(center_of_gravity(coarse, hull))
+    least = size.clearance * coarse.limits.clearance
+    pitch = Region(coarse, size.pitch, least).greatest_pitch()
+    if pitch < size.pitch:
+        _log.info("reduced.box.pitch=%g: %.4g is what hull and channel admit", size.pitch, pitch)
+    box = replace(size, pitch=pitch)
+    return replace(case, reduced=replace(case.reduced, box=box))
+
+
+def _ship(case: TrimCase, hull: AnyHull, size: MeshSize) -> tuple[ShipEnergy, Mesh]:
+    coarse = submesh(hull, case.channel, MODES)
+    mesh = about_gravity(generate(coarse, size), hull)
     body = rigid_body(hull, case.water, MODES)
     check_stability(mesh.submesh, body, case.water)
     made = reduce(mesh, case.water.density, "rigid_lid", case.reduced)
@@ -113,7 +154,7 @@ def _trimmed(modes: Modes, case: TrimCase, limits: dict[str, Any]) -> dict[str, 
 
 
 def _limits(case: TrimCase, ship: ShipEnergy, region: Region, limit: Point) -> dict[str, Any]:
-    start = np.array([case.start.heave, case.start.pitch])
+    start = _start(case)
     barrier = Barrier(ship.at_current, region, start)
     safe = barrier.safe_speed(limit.current)
     saddle = barrier.lowest(safe)

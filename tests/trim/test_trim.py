@@ -8,8 +8,12 @@ from scipy.optimize import root
 
 from squat.config import compose, validate
 from squat.dynamics.energy_momentum import Phase, advance
+from squat.figures.trim import trim as draw
+from squat.mesh import PositionError
+from squat.stability.sampled import Sampled
 from squat.trim import run as trim
-from squat.trim.barrier import Barrier
+from squat.trim.barrier import Barrier, _well
+from squat.trim.case import Companions
 from squat.trim.equilibria import Modes, branch, fold
 from squat.trim.release import release
 
@@ -22,7 +26,7 @@ SMALL = (
 @pytest.fixture(scope="module")
 def vessel():
     case = validate(compose("trim", *SMALL)).case
-    ship, mesh = trim._ship(case, case.hull)
+    ship, mesh = trim._ship(case, case.hull, case.mesh)
     return ship, trim._region(case, mesh)
 
 
@@ -82,13 +86,6 @@ def test_the_lowest_pass_out_of_the_well_is_a_saddle_that_no_path_on_a_finer_gri
     assert len(wells) == 1
 
 
-def test_a_stretched_hull_displaces_what_was_asked_for():
-    case = validate(compose("trim", "hull=half_ellipse", "displacement=400")).case
-    hull = trim.stretched(case)
-    assert hull.outline.area == pytest.approx(400, rel=1e-9)
-    assert hull.draft == case.hull.draft
-
-
 def test_the_trimmed_branch_leaves_the_level_one_at_its_fold(vessel):
     ship, region = vessel
     modes = Modes(ship.at_current, ship.lengths)
@@ -132,3 +129,92 @@ def test_small_motion_in_a_current_is_that_of_the_linear_system_gam_included(ves
     tolerance = 1e-2 * np.linalg.norm(first)
     assert np.abs(moved - linear(gyroscopic)).max() < tolerance
     assert np.abs(moved - linear(0 * gyroscopic)).max() > 3 * tolerance
+
+
+@pytest.fixture(scope="module")
+def recorded():
+    return trim.run(validate(compose("trim", "cases/trim@_global_=small", "points=30")).case)
+
+
+def test_errors_cover_the_limits_of_extrapolated_p2_meshes(recorded):
+    """The level ship's fold and its limit in heave alone are known to 1e-4 without pitch.
+
+    The trim of the start, 0.001 rad, changes the latter by the order of its square.
+    """
+    case = validate(compose("limits", "accuracy=study")).case
+    found = Sampled(case.ship, case.accuracy).limits(-0.1, 0.0)
+    for name, exact in (
+        ("squat_speed", found.limit_2d),
+        ("heave_only_limit", found.limit_dynamic),
+    ):
+        error = float(recorded[f"{name}_error"])
+        assert abs(float(recorded[name]) - exact) < error < 0.02 * exact
+    assert 0 < float(recorded["safe_speed_error"]) < 0.02 * float(recorded["safe_speed"])
+
+
+def test_the_picture_tells_the_errors(recorded):
+    legend = draw(recorded).legends[0]
+    assert sum("±" in text.get_text() for text in legend.get_texts()) == 4
+    without = draw(recorded.assign(safe_speed_error=np.nan)).legends[0]
+    assert sum("±" in text.get_text() for text in without.get_texts()) == 3
+
+
+def test_the_error_is_the_safety_times_that_of_values_of_one_order_and_none_without_values():
+    companions = Companions(refinement=2.0, safety=1.25)
+    h = np.array([4.0, 2.0, 1.0])
+    values = 3 + 0.01 * np.column_stack([h**2, h**1.5, -(h**3)])
+    assert companions.error(values) == pytest.approx(1.25 * 0.01 * np.ones(3), rel=1e-6)
+    lost = np.array([[np.nan], [3.04], [3.01]])  # first order is then assumed
+    assert companions.error(lost) == pytest.approx([1.25 * 0.03], rel=1e-6)
+    assert np.isnan(companions.error(np.array([[3.1], [np.nan], [3.01]])))
+
+
+def test_a_mesh_too_coarse_for_a_fold_leaves_no_error(monkeypatch):
+    case = validate(compose("trim", *SMALL)).case
+
+    def beyond(*_):
+        raise PositionError("pitch=1: beyond the reduced model's 0.2 rad")
+
+    monkeypatch.setattr(trim, "fold", beyond)
+    assert np.isnan(trim._on(case, case.hull, case.mesh)).all()
+
+
+@pytest.mark.parametrize("first", [-0.005, 0.0, 0.005])
+def test_a_falling_ship_is_turned_stern_down_whichever_way_its_first_trim_points(vessel, first):
+    """The moment of Gam: a hull that falls in a stream is turned down at its downstream end."""
+    ship, region = vessel
+    start, low = np.array([-0.1, first]), np.array([-1.0, 0.0])
+    assert (ship.at_current(2.36).gyroscopic(low) @ np.array([-0.1, 0.0]))[1] < 0
+    kept = release(ship.at_current(1.0), region, start * [1, 0], ship.lengths, 0.3, 60)
+    falling = kept.position[: kept.position[:, 0].argmin(), 1]
+    assert abs(falling.min()) > 2 * abs(falling.max())
+    lost = release(ship.at_current(2.36), region, start, ship.lengths, 0.3, 200)
+    assert lost.lost
+    assert lost.position[-1, 1] < -0.1
+
+
+def test_a_long_hull_over_a_small_gap_is_asked_for_no_more_pitch_than_it_can_take(caplog):
+    """Half its length times the box's pitch is three times the gap."""
+    keys = "hull.length=120", "hull.draft=8", "channel.depth=12", "cases/trim@_global_=small"
+    case = validate(compose("trim", *keys)).case
+    with caplog.at_level("INFO"):
+        data = trim.run(case)
+    assert "reduced.box.pitch=0.2" in caplog.text
+    bounded = trim._within_reach(case, case.hull).reduced.box.pitch
+    ends = (12 - 8 + 8) / case.hull.length  # both ends at once: at the bottom, out of the water
+    assert 0.5 * ends < bounded < ends
+    assert 0 < float(data["safe_speed"]) < float(data["squat_speed"])
+    assert float(data["safe_speed"]) <= float(data["heave_only_limit"])
+    # Long and shallow: where the 1D theory holds, to the share of the ends.
+    assert float(data["squat_speed"]) == pytest.approx(float(data["squat_speed_1d"]), rel=4 / 60)
+
+
+def test_a_hull_with_room_keeps_the_box_that_it_is_given(vessel):
+    case = validate(compose("trim", *SMALL)).case
+    assert trim._within_reach(case, case.hull) == case
+
+
+def test_the_well_is_where_descent_from_the_start_ends():
+    U = np.array([[0.0, 1.0, 2.0, 3.0], [5.0, 4.0, 3.0, 2.5], [6.0, 7.0, 8.0, 2.0]])
+    assert _well(U, (2, 0)) == (0, 0)
+    assert _well(U, (2, 3)) == (2, 3)
