@@ -17,6 +17,7 @@ from squat.figures.energy import energy_audit
 from squat.figures.equilibria import fig10
 from squat.figures.files import save
 from squat.figures.fleet import stability_map
+from squat.figures.hull_shapes import hull_shapes
 from squat.figures.iterations import iterations
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.race import race
@@ -24,7 +25,9 @@ from squat.figures.stability import basins, limits, limits_map, phase_portrait, 
 from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
 from squat.figures.trim import trim
+from squat.figures.uneven import uneven_bottom
 from squat.quantities import STRICT
+from squat.records.bottom_kinds import UNEVEN_BOTTOM
 from squat.records.coupling_kinds import RACE
 from squat.records.fleet_kinds import STABILITY_MAP
 from squat.records.kinds import (
@@ -37,7 +40,7 @@ from squat.records.kinds import (
     TRANSIENT,
 )
 from squat.records.schema import Kind
-from squat.records.stability_kinds import LIMITS_MAP, STABILITY
+from squat.records.stability_kinds import HULL_SHAPES, LIMITS_MAP, STABILITY
 from squat.records.trim_kinds import TRIM
 
 FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
@@ -61,8 +64,10 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "limits": (STABILITY, limits),
     "basins": (STABILITY, basins),
     "limits_map": (LIMITS_MAP, limits_map),
+    "hull_shapes": (HULL_SHAPES, hull_shapes),
     "race": (RACE, race),
     "trim": (TRIM, trim),
+    "uneven_bottom": (UNEVEN_BOTTOM, uneven_bottom),
 }
 
 

@@ -3,10 +3,11 @@
 from squat.records.schema import Kind, Variable
 
 _POINT, _SPEED = ("initial_heave", "current"), ("current",)
+_EDGE = ("edge_current",)
 
 STABILITY_MAP = Kind(
     "stability_map",
-    1,
+    2,
     "Fate of ships released at rest, over current and initial heave",
     {
         "initial_heave": Variable(("initial_heave",), "m", "w(0); the ship is at rest"),
@@ -24,6 +25,9 @@ STABILITY_MAP = Kind(
             _SPEED, "m", "unstable equilibrium, or grounding where that is higher; NaN: no well"
         ),
         "turn": Variable(_SPEED, "m", "highest safe w(0), of the same energy as the barrier"),
+        "edge_current": Variable(_EDGE, "m s-1", "currents that close in on the 2D squat speed"),
+        "edge_barrier": Variable(_EDGE, "m", "barrier at these"),
+        "edge_turn": Variable(_EDGE, "m", "turn at these; NaN: beyond the model"),
     },
     ("disagreements", "undecided", "grounding_heave"),
 )

@@ -2,10 +2,11 @@
 
 from dataclasses import replace
 
+from squat.records.bottom_kinds import UNEVEN_BOTTOM
 from squat.records.coupling_kinds import COUPLED, RACE
 from squat.records.fleet_kinds import STABILITY_MAP
 from squat.records.schema import Kind, Variable
-from squat.records.stability_kinds import CONVERGENCE, LIMITS, LIMITS_MAP, STABILITY
+from squat.records.stability_kinds import CONVERGENCE, HULL_SHAPES, LIMITS, LIMITS_MAP, STABILITY
 from squat.records.sweep import SWEEP
 from squat.records.trim_kinds import TRIM
 
@@ -374,10 +375,12 @@ _ALL = (
     STABILITY,
     LIMITS,
     LIMITS_MAP,
+    HULL_SHAPES,
     CONVERGENCE,
     RACE,
     SWEEP,
     STABILITY_MAP,
     TRIM,
+    UNEVEN_BOTTOM,
 )
 KINDS = {kind.name: kind for kind in _ALL}

@@ -104,6 +104,43 @@ LIMITS_MAP = Kind(
     ("draft", "start_over_draft"),
 )
 
+_HULL = ("hull",)
+_OUTLINE = ("hull", "outline_point")
+HULL_SHAPES = Kind(
+    "hull_shapes",
+    1,
+    "Hulls of different shape, of one draft and submerged area, in one channel",
+    {
+        "hull": Variable(_HULL, "1", "name of the hull"),
+        "waterline_length": Variable(_HULL, "m", "length of the water plane, at w = 0"),
+        "length_overall": Variable(_HULL, "m", "greatest length below the water line"),
+        "area": Variable(_HULL, "m2", "submerged area at rest, the same for all"),
+        "depth_of_keel": Variable(_HULL, "m", "draft T at rest, the same for all"),
+        "block_coefficient": Variable(_HULL, "1", "area/(waterline_length T)"),
+        "added_mass_ratio": Variable(_HULL, "1", "m_add/m in heave, zero pressure, Eq. (23)"),
+        "added_mass_ratio_error": Variable(_HULL, "1", "its numerical error"),
+        "fluid_mass_ratio": Variable(_HULL, "1", "c(0)/m, the water's inertia under free_surface"),
+        "limit_1d": Variable(_HULL, "m s-1", "1D squat speed, Eq. (27), of the box of L and T"),
+        "limit_local": Variable(_HULL, "m s-1", "1D squat speed with the clearance along the hull"),
+        "limit_2d": Variable(_HULL, "m s-1", "2D squat speed"),
+        "limit_2d_error": Variable(_HULL, "m s-1", "its numerical error"),
+        "limit_dynamic": Variable(_HULL, "m s-1", "dynamic squat speed of the start"),
+        "limit_dynamic_error": Variable(_HULL, "m s-1", "its numerical error"),
+        "sinkage_1d": Variable(_HULL, "m", "w at the 1D squat speed"),
+        "sinkage_2d": Variable(_HULL, "m", "w at the 2D squat speed, finest mesh"),
+        "equilibrium": Variable(_HULL, "m", "stable equilibrium w at `current`; NaN: none"),
+        "equilibrium_error": Variable(_HULL, "m", "its numerical error"),
+        "period": Variable(_HULL, "s", "period of small heave in still water"),
+        "period_error": Variable(_HULL, "s", "its numerical error"),
+        "outline_x": Variable(_OUTLINE, "m", "wetted outline, from the bow; NaN: ended"),
+        "outline_z": Variable(_OUTLINE, "m", "wetted outline, from the still water line up"),
+        "current": Variable((), "m s-1", "current at which sinkages are compared"),
+        "start_heave": Variable((), "m", "w(0) of the start"),
+        "start_velocity": Variable((), "m s-1", "w'(0) of the start"),
+    },
+    ("free_surface",),
+)
+
 _QUANTITY = ("quantity",)
 CONVERGENCE = Kind(
     "convergence",

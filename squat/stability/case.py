@@ -1,4 +1,4 @@
-"""What the tasks `stability`, `limits` and `limits_map` are asked."""
+"""What the tasks `stability`, `limits`, `limits_map` and `hull_shapes` are asked."""
 
 from typing import Annotated
 
@@ -9,7 +9,17 @@ from squat.channel import AnyHull, Channel
 from squat.errors import InputError
 from squat.fluid.accuracy import Accuracy
 from squat.mesh import MeshSize
-from squat.quantities import STRICT, Count, Fraction, Length, Position, Positive, Speed, Velocity
+from squat.quantities import (
+    STRICT,
+    Area,
+    Count,
+    Fraction,
+    Length,
+    Position,
+    Positive,
+    Speed,
+    Velocity,
+)
 from squat.stability.one_mode import Interval
 from squat.stability.run import Speeds
 from squat.stability.sampling import Ship, Surface
@@ -154,3 +164,31 @@ class LimitsMapCase:
     upstream: Positive
     downstream: Positive
     start: Annotated[float, Field(gt=-0.5, lt=0.5)]
+
+
+@dataclass(frozen=True, kw_only=True, config=STRICT)
+class HullShapesCase:
+    """Hulls that differ in shape alone: of one draft and one submerged area, in one channel.
+
+    Parameters
+    ----------
+    hulls
+        By name; each is given `draft` and stretched to `displacement`.
+    draft
+        T of all [m].
+    displacement
+        Submerged area of all [m2].
+    current
+        V [m/s] at which their sinkages are compared.
+    """
+
+    hulls: Annotated[dict[str, AnyHull], Field(min_length=1)]
+    channel: Channel
+    water: Water
+    accuracy: Accuracy
+    free_surface: Surface
+    grounding: Fraction
+    start: Start
+    draft: Length
+    displacement: Area
+    current: Speed

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from squat.channel import AnyHull, Channel
+from squat.channel import AnyHull, Channel, check_afloat
 from squat.fluid.accuracy import LEVELS, Accuracy, Estimate, extrapolate
 from squat.fluid.curves import Curves
 from squat.fluid.direct import DirectEnergies
@@ -52,6 +52,7 @@ class Ship:
 
     def levels(self, accuracy: Accuracy) -> list[HeaveSystem]:
         """The ship on three graded P2 meshes, the coarsest first."""
+        check_afloat(self.hull, self.channel)
         sizes = (accuracy.size(self.hull, self.channel, level) for level in range(LEVELS))
         return [self.on(size) for size in sizes]
 
