@@ -21,7 +21,9 @@ class Sources(NamedTuple):
     table5: xr.Dataset
     table6: xr.Dataset
     limits: xr.Dataset
+    trim: xr.Dataset
     transients: tuple[xr.Dataset, ...]
+    pitching: tuple[xr.Dataset, ...]
 
     def run(self, coupling: str, current: float) -> xr.Dataset | None:
         """The coupled run of that name at that current, or None."""

@@ -8,7 +8,12 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import published, records
-from squat.analysis import inertia_claims, stability_claims, transient_claims  # noqa: F401  (register their checks)
+from squat.analysis import (  # noqa: F401  (register their checks)
+    inertia_claims,
+    prospect_claims,
+    stability_claims,
+    transient_claims,
+)
 from squat.analysis.claims import CHECKS, Finding, Sources
 from squat.analysis.tables import TABLES
 from squat.analysis.verdict import Verdict, judge
@@ -16,6 +21,7 @@ from squat.errors import InputError
 from squat.quantities import STRICT
 from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS, TRANSIENT
 from squat.records.stability_kinds import LIMITS
+from squat.records.trim_kinds import TRIM
 
 COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
 _TABLE_COLUMNS = ("paper", "here", "difference", "verdict", "note")
@@ -39,8 +45,12 @@ class VerdictsCase:
         Dataset of task=added_mass.
     limits
         Dataset of task=limits.
+    trim
+        Dataset of task=trim.
     transients
-        Datasets of task=transient.
+        Datasets of task=transient, in heave alone.
+    pitching
+        Datasets of task=transient, in heave and pitch.
     """
 
     tables: Annotated[tuple[str, ...], Field(min_length=1)]
@@ -50,7 +60,9 @@ class VerdictsCase:
     table5: str
     table6: str
     limits: str
+    trim: str
     transients: Annotated[tuple[str, ...], Field(min_length=1)]
+    pitching: Annotated[tuple[str, ...], Field(min_length=1)]
 
 
 def table_rows(path: Path) -> list[dict[str, Any]]:
@@ -106,7 +118,9 @@ def write_verdicts(case: VerdictsCase, path: Path) -> None:
         table5=records.read(Path(case.table5), INERTIA),
         table6=records.read(Path(case.table6), ADDED_MASS),
         limits=records.read(Path(case.limits), LIMITS),
+        trim=records.read(Path(case.trim), TRIM),
         transients=tuple(records.read(Path(name), TRANSIENT) for name in case.transients),
+        pitching=tuple(records.read(Path(name), TRANSIENT) for name in case.pitching),
     )
     rows = [row for name in case.tables for row in table_rows(Path(name))]
     records.save_table(pd.DataFrame(rows + claim_rows(sources))[COLUMNS], path)

@@ -17,7 +17,7 @@ from squat.analysis.verdicts import table_rows
 from squat.errors import InputError
 from squat.stability.run import run as equilibria
 
-NOTHING = Sources(*[None] * 6, transients=())
+NOTHING = Sources(*[None] * 7, transients=(), pitching=())
 
 
 def inertia(*cells):
@@ -112,6 +112,41 @@ def test_where_the_corrected_scheme_stops_its_factor_is_that_of_the_end(last, ve
     factors = ("time", [-0.98 - 0.48 - last, last])
     run = coupled(2.5, "diverged", predicted_contraction=factors, heave=("time", [0.0, -5.0]))
     assert finding("corrected_converges", transients=(run,)).verdict == verdict
+
+
+@pytest.mark.parametrize(("safe", "verdict"), [(1.96, "differs"), (1.999, "match")])
+def test_what_pitch_costs_is_a_share_of_the_limit_of_heave_alone(safe, verdict):
+    numbers = {"heave_only_limit": 2.0, "safe_speed": safe, "saddle_heave": -3.0}
+    numbers |= {"safe_speed_error": 0.01, "heave_only_limit_error": 0.02}
+    motion = {"heave": ("time", [0.0, -1.0, -2.0, 1.0]), "pitch": ("time", [0.01, -0.1, -0.2, 0.9])}
+    data = xr.Dataset(numbers | {"saddle_pitch": -math.pi / 18})
+    found = finding("one_freedom", trim=data, pitching=(coupled(2.25, **motion),))
+    assert "falls 11.5 degrees down by the stern" in found.note
+    assert f"costs {50 * (2 - safe):.1f} %" in str(found.here)
+    assert "10 degrees" in found.note
+    assert found.verdict == verdict
+
+
+def pitching(coupling, solves, status="completed"):
+    factors = "time", [0.1, -0.3, 0.2]
+    data = {"iterations": ("time", [0, *solves]), "predicted_contraction": factors}
+    return coupled(2.25, status, **data).assign_attrs(coupling=coupling)
+
+
+def test_a_new_freedom_is_judged_by_how_its_run_ends_beside_the_one_without_it():
+    alone = (pitching("printed", [4, 6]),)
+    good = finding("new_freedoms", pitching=(pitching("printed", [9, 11]),), transients=alone)
+    assert good.here == "heave and pitch: completed, 10.0 solves a step"
+    assert "heave alone: 5.0 and 0.30" in good.note
+    assert good.verdict == "match"
+    lost = pitching("printed", [9, 11], "diverged")
+    assert finding("new_freedoms", pitching=(lost,)).verdict == "differs"
+
+
+@pytest.mark.parametrize(("fresh", "verdict"), [([5, 7], "match"), ([15, 7], "differs")])
+def test_a_refreshed_matrix_is_worth_what_it_saves(fresh, verdict):
+    runs = pitching("printed", [9, 11]), pitching("consistent", fresh)
+    assert finding("refreshed_matrix", pitching=runs).verdict == verdict
 
 
 def test_rows_of_a_table_are_named_by_their_keys(tmp_path):

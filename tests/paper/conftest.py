@@ -12,6 +12,7 @@ from squat.fluid import run as added_mass
 from squat.piston import study
 from squat.stability import limits
 from squat.stability.run import run
+from squat.trim import run as trim
 
 
 def computed(function, task, *overrides):
@@ -26,8 +27,17 @@ RUNS = [
 ]
 
 
-def coupled(coupling, speed):
-    overrides = "mesh=coarse", "accuracy.near=0.4", f"coupling={coupling}", f"current={speed}"
+FREED = "modes=[heave,pitch]", "initial_pitch=0.001", "time.periods=0.5"
+
+
+def coupled(coupling, speed, *more):
+    overrides = (
+        "mesh=coarse",
+        "accuracy.near=0.4",
+        f"coupling={coupling}",
+        f"current={speed}",
+        *more,
+    )
     return computed(lambda case: transient.run(case).dataset, "transient", *overrides)
 
 
@@ -41,5 +51,7 @@ def sources():
         table5=computed(inertia.run, "inertia", f"{cells}table5_small"),
         table6=computed(added_mass.run, "added_mass"),
         limits=computed(limits.run, "limits", "accuracy=study"),
+        trim=computed(trim.run, "trim", "cases/trim@_global_=small"),
         transients=tuple(coupled(*one) for one in RUNS),
+        pitching=tuple(coupled(name, 2.25, *FREED) for name in ("printed", "consistent")),
     )

@@ -40,6 +40,9 @@ def test_small_motion_has_the_period_of_the_lids_inertia(sources):
         ("The ship has stable positions", "differs"),
         ("The added mass of Eqs. (22) to (26)", "paper inconsistent"),
         ("What is lost by the structure", "differs"),
+        ("Without loss of generality", "differs"),
+        ("It is possible to add new degrees", "match"),
+        ("The coupling depends on the added mass matrix", "match"),
     ],
 )
 def test_numbered_points_have_their_verdicts(verdicts, start, verdict):
