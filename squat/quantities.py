@@ -17,6 +17,12 @@ STRICT = ConfigDict(extra="forbid")
 """Unknown keys are refused; give it as ``@dataclass(frozen=True, kw_only=True, config=STRICT)``."""
 
 
+class Unit(str):
+    """Unit of a checked type, as part of it; `squat.config.units` reads it."""
+
+    __slots__ = ()
+
+
 def _number(**bounds: Any) -> Any:
     return Field(strict=True, allow_inf_nan=False, **bounds)
 
@@ -25,17 +31,21 @@ Real = Annotated[float, _number(ge=-1e12, le=1e12)]
 Positive = Annotated[float, _number(gt=0, le=1e12)]
 NonNegative = Annotated[float, _number(ge=0, le=1e12)]
 Fraction = Annotated[float, _number(gt=0, le=1)]
-Length = Annotated[float, _number(gt=0, le=1e5)]
+Length = Annotated[float, Unit("m"), _number(gt=0, le=1e5)]
 """Length [m] in (0, 1e5]."""
-Area = Annotated[float, _number(gt=0, le=1e10)]
+Area = Annotated[float, Unit("m2"), _number(gt=0, le=1e10)]
 """Area [m2] in (0, 1e10]."""
-Position = Annotated[float, _number(ge=-1e5, le=1e5)]
+Position = Annotated[float, Unit("m"), _number(ge=-1e5, le=1e5)]
 """Coordinate or displacement [m]."""
-Angle = Annotated[float, _number(ge=-1.5, le=1.5)]
+Angle = Annotated[float, Unit("rad"), _number(ge=-1.5, le=1.5)]
 """Angle [rad], less than a right one either way."""
-Velocity = Annotated[float, _number(ge=-1e3, le=1e3)]
+Velocity = Annotated[float, Unit("m/s"), _number(ge=-1e3, le=1e3)]
 """Velocity component [m/s]."""
-Speed = Annotated[float, _number(ge=0, le=1e3)]
+Speed = Annotated[float, Unit("m/s"), _number(ge=0, le=1e3)]
 """Magnitude of a velocity [m/s]."""
+Density = Annotated[float, Unit("kg/m3"), _number(gt=0, le=1e12)]
+"""Mass over volume [kg/m3]."""
+Acceleration = Annotated[float, Unit("m/s2"), _number(gt=0, le=1e12)]
+"""Magnitude of an acceleration [m/s2]."""
 Count = Annotated[int, Field(strict=True, ge=1, le=10**6)]
 """Positive integer, up to a million: what a run can hold or wait for."""

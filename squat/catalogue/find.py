@@ -62,7 +62,8 @@ def _row(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:
     """What `path` says of itself; None for a file of others, or one that is put into `broken`."""
     with quiet():
         row = _read(path, broken)
-        gc.collect()  # a file that failed to open, while it is kept quiet
+        if row is None:
+            gc.collect()  # a file that failed to open, while it is kept quiet
     return row
 
 

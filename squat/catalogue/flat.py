@@ -7,7 +7,7 @@ from typing import Any
 from squat.records.identity import HOUSEKEEPING
 
 _NOT_PHYSICS = ("task", *HOUSEKEEPING)
-_FILES = ("inputs", "data", "runs", "tables", "transients")
+_FILES = ("inputs", "data", "runs", "tables", "transients", "pitching")
 """Groups and keys that hold paths: where a run got its files says nothing about its result."""
 
 

@@ -2,100 +2,78 @@
 
 import logging
 import time
-from collections.abc import Callable
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any
 
 import xarray as xr
 from hydra.errors import HydraException
 from omegaconf.errors import OmegaConfBaseException
 
-from squat import (
-    analysis,
-    catalogue,
-    figures,
-    piston,
-    race,
-    records,
-    reduced,
-    report,
-    sweeps,
-    transient,
-)
+from squat import records
 from squat.cli.messages import condense
-from squat.config import compose
+from squat.config import compose, validate
 from squat.config.schema import Valid
+from squat.config.units import unit
 from squat.errors import InputError
-from squat.fluid import inertia, sensitivity
-from squat.fluid import run as added_mass
-from squat.stability import limits, limits_map, portrait
-from squat.stability import run as equilibria
-from squat.transient import convergence, stability_map
-from squat.trim import run as trim
 
 _log = logging.getLogger(__name__)
 
 
-def _mesh(case: Any) -> xr.Dataset:
-    # gmsh takes as long to import as all the rest, and needs graphics libraries.
-    from squat.mesh.run import run  # noqa: PLC0415
-
-    return run(case)
-
-
-def _replay(case: Any, path: Path) -> None:
-    # rerun takes a second to import.
-    from squat.replay.write import write_replay  # noqa: PLC0415
-
-    write_replay(case, path)
-
-
-def _collect(case: Any) -> xr.Dataset:
-    return sweeps.collect(case, _compose)
+def collect(case: Any) -> xr.Dataset:
+    """Dataset of kind `sweep`; jobs without one are known by the configuration composed here."""
+    dataset: xr.Dataset = resolve_name("squat.sweeps:collect")(case, _compose, unit)
+    return dataset
 
 
 def _compose(task: str, *overrides: str) -> dict[str, Any]:
     try:
-        return compose(task, *overrides)
+        return validate(compose(task, *overrides)).config
     except (HydraException, OmegaConfBaseException) as error:
         raise InputError(condense(error, overrides)) from error
 
 
-DATASETS: dict[str, Callable[[Any], xr.Dataset]] = {
-    "piston": piston.run,
-    "iterations": piston.study,
-    "equilibria": equilibria.run,
-    "stability": portrait.run,
-    "stability_map": stability_map.run,
-    "trim": trim.run,
-    "limits": limits.run,
-    "convergence": convergence.run,
-    "limits_map": limits_map.run,
-    "mesh": _mesh,
-    "added_mass": added_mass.run,
-    "inertia": inertia.run,
-    "sensitivity": sensitivity.run,
-    "race": race.run,
-    "collect": _collect,
+DATASETS = {
+    "piston": "squat.piston:run",
+    "iterations": "squat.piston:study",
+    "equilibria": "squat.stability.run:run",
+    "stability": "squat.stability.portrait:run",
+    "stability_map": "squat.transient.stability_map:run",
+    "trim": "squat.trim.run:run",
+    "limits": "squat.stability.limits:run",
+    "convergence": "squat.transient.convergence:run",
+    "limits_map": "squat.stability.limits_map:run",
+    "uneven_bottom": "squat.stability.uneven_bottom:run",
+    "hull_shapes": "squat.stability.hull_shapes:run",
+    "mesh": "squat.mesh.run:run",
+    "added_mass": "squat.fluid.run:run",
+    "inertia": "squat.fluid.inertia:run",
+    "sensitivity": "squat.fluid.sensitivity:run",
+    "race": "squat.race:run",
+    "collect": "squat.cli.tasks:collect",
 }
-TASKS = (*DATASETS, "reduced", "transient")
+"""What makes the dataset of a task; like all below imported when its task is asked for."""
+GROUPED = {"transient": "squat.transient:run", "reduced": "squat.reduced:run"}
+"""The same with groups beside the dataset."""
+TASKS = (*DATASETS, *GROUPED)
 """Tasks that make a dataset."""
-FILES: dict[str, tuple[str, Callable[[Any, Path], None]]] = {
-    "table": (".csv", analysis.write_table),
-    "verdicts": (".csv", analysis.write_verdicts),
-    "figure": (".png", figures.write_figure),
-    "catalogue": (".parquet", catalogue.write_catalogue),
-    "difference": (".csv", catalogue.write_difference),
-    "compare": (".png", figures.write_compare),
-    "report": (".html", report.write_report),
-    "replay": (".rrd", _replay),
+FILES = {
+    "table": (".csv", "squat.analysis:write_table"),
+    "verdicts": (".csv", "squat.analysis:write_verdicts"),
+    "figure": (".png", "squat.figures:write_figure"),
+    "catalogue": (".parquet", "squat.catalogue:write_catalogue"),
+    "difference": (".csv", "squat.catalogue:write_difference"),
+    "compare": (".png", "squat.figures:write_compare"),
+    "report": (".html", "squat.report:write_report"),
+    "replay": (".rrd", "squat.replay.write:write_replay"),
 }
+"""Suffix of what any other task writes, and what writes it."""
 
 
 def output(valid: Valid, folder: Path) -> Path:
     """File that the task writes, below `folder` unless `out` is absolute."""
     task = valid.settings.task
-    suffix, _ = FILES.get(task, (".nc", None))
+    suffix, _ = FILES.get(task, (".nc", ""))
     path = folder / (valid.settings.out or f"{task}{suffix}")
     if path.suffix != suffix:
         raise InputError(f"out={path}: must end in {suffix}; task={task} writes no other")
@@ -115,28 +93,28 @@ def is_done(valid: Valid, path: Path) -> bool:
 def run_task(valid: Valid, path: Path) -> None:
     """Run the task and write `path`."""
     task, started = valid.settings.task, time.perf_counter()
-    _, write = FILES.get(task, (".nc", None))
-    if write is not None:
-        write(valid.case, path)
+    if task in FILES:
+        resolve_name(FILES[task][1])(valid.case, path)
         _log.info("%s: written", path)
         return
     records.claim(path)
     if task == "transient":
         dataset = _transient(valid, path, started)
     elif task == "reduced":
-        dataset, groups = reduced.run(valid.case)
+        dataset, groups = resolve_name(GROUPED["reduced"])(valid.case)
         records.save(dataset, path, valid.config, started, groups)
     else:
-        dataset = DATASETS[task](valid.case)
+        dataset = resolve_name(DATASETS[task])(valid.case)
         records.save(dataset, path, valid.config, started)
-    _log.info("%s: written%s", path, _headline(dataset))
+    _log.info("%s: written%s", path, _headline(dataset, valid.case))
 
 
 def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
     segments = records.Segments.beside(path, records.strict_identity(valid.config))
     if valid.settings.redo:
         segments.clear()
-    dataset, fields = transient.run(valid.case, segments)
+    dataset: xr.Dataset
+    dataset, fields = resolve_name(GROUPED["transient"])(valid.case, segments)
     groups = {} if fields is None else {"fields": fields}
     records.save(dataset, path, valid.config, started, groups)
     segments.clear()
@@ -145,13 +123,14 @@ def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
 
 def compute(valid: Valid) -> xr.Dataset:
     """Dataset of one of `TASKS`, in memory; snapshots and segments need a file and are left out."""
-    if valid.settings.task == "transient":
-        return transient.run(valid.case).dataset
-    if valid.settings.task == "reduced":
-        return reduced.run(valid.case).dataset
-    return DATASETS[valid.settings.task](valid.case)
+    task = valid.settings.task
+    found: Any = resolve_name({**DATASETS, **GROUPED}[task])(valid.case)
+    dataset: xr.Dataset = found.dataset if task in GROUPED else found
+    return dataset
 
 
-def _headline(dataset: xr.Dataset) -> str:
+def _headline(dataset: xr.Dataset, case: Any) -> str:
     status, summary = (dataset.attrs.get(name) for name in ("status", "summary"))
+    if dataset.attrs["schema"].split("/")[1] == "transient":
+        status = resolve_name("squat.transient.ending:told")(dataset, case)
     return (f", status {status}" if status else "") + (f"\n{summary}" if summary else "")

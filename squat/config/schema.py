@@ -2,64 +2,67 @@
 
 import difflib
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
+from pkgutil import resolve_name
 from typing import Any, Literal, NamedTuple
 
 from pydantic import TypeAdapter, ValidationError
 from pydantic.dataclasses import dataclass
 from pydantic_core import ErrorDetails
 
-from squat.analysis import TableCase, VerdictsCase
-from squat.catalogue import CatalogueCase, DifferenceCase
 from squat.errors import InputError
-from squat.figures import CompareCase, FigureCase
-from squat.fluid.inertia import InertiaCase
-from squat.fluid.run import AddedMassCase
-from squat.fluid.sensitivity import SensitivityCase
-from squat.mesh.case import MeshCase
-from squat.piston import PistonCase, StudyCase
 from squat.quantities import STRICT
-from squat.race import RaceCase
 from squat.records.identity import HOUSEKEEPING
-from squat.reduced.case import ReducedCase
-from squat.replay import ReplayCase
-from squat.report import ReportCase
-from squat.stability.case import LimitsCase, LimitsMapCase, StabilityCase
-from squat.stability.run import EquilibriaCase
-from squat.sweeps import CollectCase
-from squat.transient import TransientCase
-from squat.transient.convergence import ConvergenceCase
-from squat.transient.stability_map import StabilityMapCase
-from squat.trim.case import TrimCase
 
-CASES: dict[str, type] = {
-    "piston": PistonCase,
-    "iterations": StudyCase,
-    "equilibria": EquilibriaCase,
-    "stability": StabilityCase,
-    "limits": LimitsCase,
-    "limits_map": LimitsMapCase,
-    "mesh": MeshCase,
-    "added_mass": AddedMassCase,
-    "inertia": InertiaCase,
-    "sensitivity": SensitivityCase,
-    "reduced": ReducedCase,
-    "transient": TransientCase,
-    "race": RaceCase,
-    "stability_map": StabilityMapCase,
-    "trim": TrimCase,
-    "convergence": ConvergenceCase,
-    "table": TableCase,
-    "verdicts": VerdictsCase,
-    "figure": FigureCase,
-    "catalogue": CatalogueCase,
-    "difference": DifferenceCase,
-    "compare": CompareCase,
-    "report": ReportCase,
-    "replay": ReplayCase,
-    "collect": CollectCase,
+_HOMES = {
+    "piston": "squat.piston:PistonCase",
+    "iterations": "squat.piston:StudyCase",
+    "equilibria": "squat.stability.run:EquilibriaCase",
+    "stability": "squat.stability.case:StabilityCase",
+    "limits": "squat.stability.case:LimitsCase",
+    "limits_map": "squat.stability.case:LimitsMapCase",
+    "uneven_bottom": "squat.stability.uneven_bottom:UnevenBottomCase",
+    "hull_shapes": "squat.stability.case:HullShapesCase",
+    "mesh": "squat.mesh.case:MeshCase",
+    "added_mass": "squat.fluid.run:AddedMassCase",
+    "inertia": "squat.fluid.inertia:InertiaCase",
+    "sensitivity": "squat.fluid.sensitivity:SensitivityCase",
+    "reduced": "squat.reduced.case:ReducedCase",
+    "transient": "squat.transient:TransientCase",
+    "race": "squat.race:RaceCase",
+    "stability_map": "squat.transient.stability_map:StabilityMapCase",
+    "trim": "squat.trim.case:TrimCase",
+    "convergence": "squat.transient.convergence:ConvergenceCase",
+    "table": "squat.analysis:TableCase",
+    "verdicts": "squat.analysis:VerdictsCase",
+    "figure": "squat.figures:FigureCase",
+    "catalogue": "squat.catalogue:CatalogueCase",
+    "difference": "squat.catalogue:DifferenceCase",
+    "compare": "squat.figures:CompareCase",
+    "report": "squat.report:ReportCase",
+    "replay": "squat.replay:ReplayCase",
+    "collect": "squat.sweeps:CollectCase",
 }
+
+
+class Cases(Mapping[str, type]):
+    """Dataclass of each task, imported when asked for: a table need not wait for the solvers."""
+
+    def __getitem__(self, task: str) -> type:
+        """Raise KeyError where there is no such task."""
+        found = resolve_name(_HOMES[task])
+        assert isinstance(found, type)
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_HOMES)
+
+    def __len__(self) -> int:
+        return len(_HOMES)
+
+
+CASES = Cases()
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -85,7 +88,11 @@ class Settings:
 
 
 class Valid(NamedTuple):
-    """A configuration that passed: settings, the task's case, the plain values."""
+    """A configuration that passed: settings, the task's case, the plain values.
+
+    In `config`, null stands only for what the case leaves open too: a number that its classes take
+    in place of it (say, a hull's draft from its points) is there, for records and their readers.
+    """
 
     settings: Settings
     case: Any
@@ -111,7 +118,7 @@ def validate(config: Mapping[str, Any]) -> Valid:
     InputError
         One line: the key, its value, what is wrong, what would be right.
     """
-    task = config.get("task")
+    task = str(config.get("task"))
     if task not in CASES:
         raise InputError(f"task={task}: unknown; give one of {', '.join(sorted(CASES))}")
     common = {key: value for key, value in config.items() if key in _SETTINGS}
@@ -121,7 +128,19 @@ def validate(config: Mapping[str, Any]) -> Valid:
         case = _adapter(CASES[task]).validate_python(own)
     except ValidationError as error:
         raise InputError(_one_line(error, dict(config))) from error
-    return Valid(settings, case, dict(config))
+    return Valid(settings, case, _settled(config, case))
+
+
+def _settled(config: Mapping[str, Any], made: Any) -> dict[str, Any]:
+    """`config` with the numbers of what was `made` from it in place of null."""
+
+    def settled(key: str, value: Any) -> Any:
+        found = made.get(key) if isinstance(made, Mapping) else getattr(made, key, None)
+        if isinstance(value, Mapping):
+            return _settled(value, found)
+        return found if value is None and isinstance(found, float) else value
+
+    return {key: settled(key, value) for key, value in config.items()}
 
 
 def _one_line(error: ValidationError, config: Mapping[str, Any]) -> str:
@@ -138,7 +157,10 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
     value, message = detail["input"], detail["msg"]
     if detail["type"] == "value_error":
         reason = str(detail["ctx"]["error"])
-        return reason if "=" in reason else f"{path}: {reason}"
+        if path.startswith("hulls.") and reason.startswith("hull."):
+            reason = path + reason.removeprefix("hull")  # one of many: say which
+        named = "=" in reason or reason.startswith(f"{path}.")
+        return reason if named else f"{path}: {reason}"
     if detail["type"] in ("extra_forbidden", "unexpected_keyword_argument"):
         near = difflib.get_close_matches(path.rsplit(".", 1)[-1], siblings, n=1)
         hint = f"did you mean {near[0]!r}?" if near else "leave it out"

@@ -126,15 +126,33 @@ def load(files: tuple[str, ...]) -> tuple[Run, ...]:
 
 
 def labels(paths: list[Path]) -> list[str]:
-    """Shortest ends of `paths`, without suffix, that differ; empty for a single one."""
+    """Short names that differ: the deepest part of `paths` that does, less what all have in it.
+
+    Of a sweep's folders `current-1__snapshots-5` and `current-2__snapshots-5`, current-1 and
+    current-2. Empty for a single path.
+
+    Raises
+    ------
+    InputError
+        One path twice.
+    """
     if len(paths) == 1:
         return [""]
-    parts = [path.absolute().with_suffix("").parts for path in paths]
+    parts = [path.absolute().with_suffix("").parts[::-1] for path in paths]
     for depth in range(1, max(map(len, parts)) + 1):
-        found = ["/".join(part[-depth:]) for part in parts]
-        if len(set(found)) == len(found):
-            return found
+        if len({part[:depth] for part in parts}) == len(parts):
+            names = [part[min(depth, len(part)) - 1] for part in parts]
+            if len(set(names)) == len(names):
+                return _less_common(names)
+            return ["/".join(part[:depth][::-1]) for part in parts]
     raise InputError(f"run={','.join(map(str, paths))}: one file twice; give each run once")
+
+
+def _less_common(names: list[str]) -> list[str]:
+    """Names of jobs without the overrides that all of them share."""
+    overrides = [name.split("__") for name in names]
+    common = set(overrides[0]).intersection(*overrides[1:])
+    return ["__".join(o for o in own if o not in common) or "all else" for own in overrides]
 
 
 def _load(path: Path, label: str) -> Run:

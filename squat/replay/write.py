@@ -1,5 +1,6 @@
 """Write the recording of one run or of several."""
 
+import re
 from pathlib import Path
 
 import rerun as rr
@@ -37,7 +38,7 @@ def write_replay(case: ReplayCase, path: Path) -> None:
             _application(runs), recording_id=_identity(runs), send_properties=False
         )
         stream.save(temporary)
-        stream.send_recording_name(" and ".join(run.path.stem for run in runs))
+        stream.send_recording_name(" and ".join(run.label or run.path.stem for run in runs))
         stream.send_property("provenance", stamp(runs))
         views = draw_all(Recorder(stream), runs)
         stream.send_blueprint(blueprint(views, runs))
@@ -58,7 +59,8 @@ def stamp(runs: tuple[Run, ...]) -> rr.AnyValues:
 
 def _application(runs: tuple[Run, ...]) -> str:
     """Recordings of one application share a layout in the viewer: one for each set of entities."""
-    return " ".join(["squat", runs[0].kind, *(run.label for run in runs if run.label)])
+    name = " ".join(["squat", runs[0].kind, *(run.label for run in runs if run.label)])
+    return re.sub(r"[^\w -]", "-", name)  # of others rerun makes its own, and warns
 
 
 def _identity(runs: tuple[Run, ...]) -> str:

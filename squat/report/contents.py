@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import field
 from typing import Annotated
 
 from pydantic import Field
@@ -28,7 +29,7 @@ class Block:
     runs
         Condition on the catalogue of the results.
     columns
-        Columns of the catalogue to show with `runs`.
+        Heads of the columns to show with `runs`, each with its key in the catalogue.
     estimates
         Dataset of kind `convergence` below the results: numbers with their uncertainty.
     files
@@ -41,7 +42,7 @@ class Block:
     table: str | None = None
     claims: tuple[str, ...] | None = None
     runs: str | None = None
-    columns: tuple[str, ...] = ()
+    columns: dict[str, str] = field(default_factory=dict)
     estimates: str | None = None
     files: str | None = None
     title: str = ""

@@ -1,18 +1,22 @@
 """Pictures as part of the page."""
 
 import base64
+import io
 from pathlib import Path
 from typing import NamedTuple
+
+from PIL import Image
 
 from squat.errors import InputError
 
 _LARGEST = 250_000
 """Bytes of an SVG above which the PNG is taken: a mesh of thousands of lines draws slowly."""
-_PIXELS = slice(16, 24)  # width and height in a PNG's header, big-endian
+_PER_INCH = 96
+"""Pixels that a style sheet counts to the inch."""
 
 
 class Picture(NamedTuple):
-    """A picture as a data URI, its size [pixels], and its vector file beside the report."""
+    """A picture as a data URI, its size as drawn [CSS pixels], and its vector file."""
 
     source: str
     width: int
@@ -33,12 +37,22 @@ def picture(results: Path, name: str) -> Picture:
         if not path.is_file():
             raise InputError(f"{path}: no such figure; run snakemake all first")
     raster = png.read_bytes()
-    size = raster[_PIXELS]
+    width, height = _size(raster)
     small = svg.stat().st_size <= _LARGEST
     content, kind = (svg.read_bytes(), "svg+xml") if small else (raster, "png")
     return Picture(
         source=f"data:image/{kind};base64,{base64.b64encode(content).decode()}",
-        width=int.from_bytes(size[:4], "big"),
-        height=int.from_bytes(size[4:], "big"),
+        width=width,
+        height=height,
         link=f"figures/{name}.svg",
     )
+
+
+def _size(raster: bytes) -> tuple[int, int]:
+    """Size that the figure was drawn for, from a PNG's pixels and their density."""
+    with Image.open(io.BytesIO(raster)) as image:
+        width, height = (
+            round(_PER_INCH * pixels / density)
+            for pixels, density in zip(image.size, image.info["dpi"], strict=True)
+        )
+    return width, height

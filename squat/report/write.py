@@ -81,10 +81,11 @@ def _view(block: Block, results: Path, verdicts: pd.DataFrame) -> Any:
 
 def _runs(block: Block, results: Path) -> tuple[list[str], list[list[str]]]:
     """Heads and rows of the catalogue that a block asks for."""
-    found = catalogue.select(catalogue.find([results]), block.runs or "", block.columns[:2])
-    shown = catalogue.columns(found, block.columns)
+    keys = list(block.columns.values())
+    found = catalogue.select(catalogue.find([results]), block.runs or "", keys[:2])
+    shown = catalogue.columns(found, keys)
     rows = [["–" if pd.isna(v) else short(str(v)) for v in row] for row in shown.to_numpy()]
-    return [str(name).removeprefix(catalogue.RESULT) for name in shown.columns], rows
+    return list(block.columns), rows
 
 
 def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, results: Path) -> str:
@@ -96,6 +97,7 @@ def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, resul
         lstrip_blocks=True,
     )
     environment.filters |= {"short": short, "symbol": symbol}
+    environment.filters["sentence"] = lambda text: text if text.endswith(("?", ".")) else f"{text}."
     environment.filters["slug"] = lambda text: re.sub(r"\W+", "-", str(text))
     template = environment.from_string(package.joinpath("page.html.j2").read_text("utf-8"))
     return template.render(

@@ -3,7 +3,7 @@
 import itertools
 import json
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,8 @@ from squat.sweeps.axes import Axis, axes_of
 from squat.sweeps.jobs import Compose, Job, find, kind_of
 from squat.sweeps.stack import stack
 
+UnitOf = Callable[[str, str], str | None]
+
 _log = logging.getLogger(__name__)
 
 
@@ -37,13 +39,15 @@ class CollectCase:
     runs: str
 
 
-def collect(case: CollectCase, compose: Compose) -> xr.Dataset:
+def collect(case: CollectCase, compose: Compose, unit: UnitOf) -> xr.Dataset:
     """Dataset of kind `sweep`.
 
     Parameters
     ----------
     compose
         Makes a configuration from a task and overrides: for jobs that left no dataset.
+    unit
+        Unit of a task's dotted key, None where it has none.
 
     Raises
     ------
@@ -77,7 +81,9 @@ def collect(case: CollectCase, compose: Compose) -> xr.Dataset:
         },
     )
     for axis in axes:
-        del dataset[axis.name].attrs["units"]  # conf/ tells them, beside the key, to readers only
+        del dataset[axis.name].attrs["units"]
+        if found := unit(source.name, axis.key):
+            dataset[axis.name].attrs["units"] = found
     return dataset
 
 

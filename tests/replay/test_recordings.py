@@ -272,11 +272,15 @@ def test_a_run_less_itself_is_nothing(ship, tmp_path):
     assert len(clock.time) == first.data.sizes["time"]
 
 
-def test_labels_are_the_shortest_that_differ():
-    paths = [Path(name) for name in ("a/run.nc", "b/run.nc")]
-    assert labels(paths) == ["a/run", "b/run"]
-    assert labels([Path("a.nc"), Path("x/b.2.nc")]) == ["a", "b.2"]
-    assert labels(paths[:1]) == [""]
+def test_labels_say_what_differs_and_no_more():
+    def named(*paths):
+        return labels([Path(path) for path in paths])
+
+    assert named("a/run.nc", "b/run.nc") == ["a", "b"]
+    assert named("a.nc", "x/b.2.nc") == ["a", "b.2"]
+    assert named("a/run.nc") == [""]
+    assert named("x/v-1__s-5/run.nc", "x/s-5__v-2/run.nc") == ["v-1", "v-2"]
+    assert named("a/x/1.nc", "a/y/2.nc", "b/x/2.nc") == ["x/1", "y/2", "x/2"]
 
 
 def test_a_new_panel_is_a_function_and_a_list_of_variables(record, entities, ship, monkeypatch):

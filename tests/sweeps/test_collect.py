@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from squat.config import compose, validate
+from squat.config.units import unit
 from squat.errors import InputError
 from squat.piston import run
 from squat.records import build, read, save
@@ -39,7 +40,7 @@ def job(tmp_path):
 @pytest.fixture
 def joined(tmp_path):
     def make():
-        return collect(CollectCase(runs=str(tmp_path)), compose)
+        return collect(CollectCase(runs=str(tmp_path)), compose, unit)
 
     return make
 
@@ -74,6 +75,16 @@ def test_every_value_stands_where_its_parameters_say(job, joined):
     assert json.loads(sweep.attrs["missing"]) == []
     assert sweep["position"].attrs["units"] == "m"
     assert "units" not in sweep["mass_ratio"].attrs
+
+
+def test_swept_parameters_carry_the_units_of_their_keys(job, joined):
+    for draft in (9, 10):
+        job(f"{draft}", f"hull.draft={draft}", task="equilibria", make=equilibria)
+    assert joined()["draft"].attrs == {"units": "m", "long_name": "swept: hull.draft"}
+    assert unit("transient", "current") == "m/s"
+    assert unit("trim", "start.pitch") == "rad"
+    assert unit("transient", "coupling.criterion.tolerance") is None
+    assert unit("nothing", "current") is None
 
 
 def test_a_coordinate_stays_one_dimensional_only_where_all_jobs_agree(job, joined):
@@ -160,7 +171,7 @@ def test_what_cannot_be_joined_is_one_line(job, joined, tmp_path):
     with pytest.raises(InputError, match="holds equilibria and piston"):
         joined()
     with pytest.raises(InputError, match="no such folder"):
-        collect(CollectCase(runs="nowhere"), compose)
+        collect(CollectCase(runs="nowhere"), compose, unit)
 
 
 def test_a_sweep_is_read_back_and_an_altered_one_refused(job, joined, tmp_path):
@@ -197,7 +208,7 @@ def test_a_killed_sweep_goes_on_with_the_same_command_and_is_joined(squat, tmp_p
     assert done.stderr.count("complete, skipped") >= len(first)
     assert "jobs: 3 of 3" in done.stderr
     assert {path: path.stat().st_mtime_ns for path in first} == stamps
-    whole = collect(CollectCase(runs=str(runs)), compose)
+    whole = collect(CollectCase(runs=str(runs)), compose, unit)
     assert (whole["job_status"] == "converged").all()
     assert list(whole["mass_ratio"].values) == [0.2, 0.3, 0.4]
     assert list(read(tmp_path / "cut.nc")["mass_ratio"].values) == [0.2, 0.3, 0.4]
