@@ -87,7 +87,7 @@ lock: environment  ## resolve requirements.lock anew
 	    --generate-hashes --no-emit-index-url --no-header --no-annotate --upgrade -o requirements.lock
 
 benchmark: environment  ## timings as ratios within one run
-	$(BIN)/pytest benchmarks -o addopts="" --benchmark-only -p no:xdist
+	$(BIN)/pytest benchmarks -q -o addopts="" -p no:xdist
 
 clean:  ## remove what the runs and the tools wrote; keeps .venv
 	rm -rf results/*/ results/report.html multirun .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks

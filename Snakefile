@@ -5,6 +5,7 @@
 #
 # A rule calls the command that a person would type. Numbers live in conf/.
 import sys
+from pathlib import Path
 
 sys.path.insert(0, workflow.basedir)
 
@@ -12,6 +13,8 @@ from workflows.graph import cases, configured
 
 RESULTS = config.get("results", "results")
 CASES = config.get("cases", "paper")
+# Of jobs that spread over the cores: small ones are done before the others would have made room.
+CORES = workflow.cores if CASES == "paper" else 1
 
 
 wildcard_constraints:

@@ -13,6 +13,7 @@ CHEAPER = {
     "reduced": "mesh=coarse",
     "stability": "mesh=coarse portrait=small",
     "stability_map": "mesh=coarse cases/map@_global_=small",
+    "hull_shapes": "cases/hull_shapes@_global_=small",
     "race": "cases/race@cells=small",
 }
 """Added to a command of a page, unless it says otherwise: its keys are tried, not its time."""

@@ -20,7 +20,9 @@ REQUIRED = {
     "verdicts": [
         "tables=[t.csv]",
         *(f"{key}=good.nc" for key in ("iterations", "equilibria", "table4", "table5", "table6")),
+        "trim=good.nc",
         "transients=[good.nc]",
+        "pitching=[good.nc]",
     ],
 }
 """Keys without which a task does not compose; the files lie in the folder of the run."""

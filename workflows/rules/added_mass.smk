@@ -1,5 +1,5 @@
 # Sections 3.2 and 3.5: added mass. Tables 4 and 5 are one rule that runs its cells over the cores.
-SUFFIX = "" if CASES == "paper" else f"_{CASES}"
+SUFFIX = "" if CASES == "paper" else f"_{CASES} accuracy=study"
 HULLS = {
     "table6": "",
     "fig7": "hull=fig7 channel=fig7",
@@ -15,11 +15,12 @@ rule inertia:
         f"{RESULTS}/benchmarks/{{table}}_cells.tsv"
     wildcard_constraints:
         table="table4|table5",
-    threads: workflow.cores
+    threads: CORES
     params:
         cases=lambda wildcards: f"cases/inertia@cells={wildcards.table}{SUFFIX}",
         config=lambda wildcards: configured(
-            "inertia", f"cases/inertia@cells={wildcards.table}{SUFFIX}"
+            "inertia",
+            *f"cases/inertia@cells={wildcards.table}{SUFFIX}".split(),
         ),
     shell:
         "squat task=inertia {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"

@@ -37,7 +37,9 @@ rule verdicts:
         table5=f"{ADDED_MASS}/table5.nc",
         table6=f"{ADDED_MASS}/table6.nc",
         limits=rules.limits.output[0],
+        trim=rules.trim.output[0],
         transients=TRANSIENTS,
+        pitching=PITCHING,
     output:
         f"{RESULTS}/tables/verdicts.csv",
     log:
@@ -46,14 +48,15 @@ rule verdicts:
         f"{RESULTS}/benchmarks/verdicts.tsv"
     params:
         tables=lambda wildcards, input: ",".join(f'"{name}"' for name in input.tables),
-        transients=lambda wildcards, input: ",".join(
-            f'"{name}"' for name in input.transients
+        runs=lambda wildcards, input: " ".join(
+            "'{}=[{}]'".format(name, ",".join(f'"{path}"' for path in input[name]))
+            for name in ("transients", "pitching")
         ),
         data=lambda wildcards, input: " ".join(
             f"'{name}=\"{path}\"'"
             for name, path in input.items()
-            if name not in ("tables", "transients")
+            if name not in ("tables", "transients", "pitching")
         ),
     shell:
-        "squat task=verdicts 'tables=[{params.tables}]' {params.data} 'transients=[{params.transients}]' 'out=\"{output}\"'"
+        "squat task=verdicts 'tables=[{params.tables}]' {params.data} {params.runs} 'out=\"{output}\"'"
         " > {log:q} 2>&1"

@@ -8,7 +8,7 @@ rule iterations:
         f"{RESULTS}/logs/iterations.log",
     benchmark:
         f"{RESULTS}/benchmarks/iterations.tsv"
-    threads: workflow.cores
+    threads: CORES
     params:
         cases=f"cases/piston@cells={CASES}",
         config=configured("iterations", f"cases/piston@cells={CASES}"),
@@ -18,7 +18,7 @@ rule iterations:
 
 SINGLE = cases("piston_runs", CASES)
 PISTONS = [
-    f"{scheme}_{ratio}"
+    f"{RESULTS}/piston/{scheme}_{ratio}.nc"
     for scheme in SINGLE["schemes"]
     for ratio in SINGLE["mass_ratios"]
 ]

@@ -8,7 +8,7 @@ rule race:
         f"{RESULTS}/logs/race.log",
     benchmark:
         f"{RESULTS}/benchmarks/race.tsv"
-    threads: workflow.cores
+    threads: CORES
     params:
         cases=f"cases/race@cells={CASES}",
         config=configured("race", f"cases/race@cells={CASES}"),

@@ -1,11 +1,7 @@
 # Recordings of all runs, for the rerun viewer.
 REPLAYS = [
-    f"{RESULTS}/replay/{room}_{name}.rrd"
-    for room, names in {
-        "transient": [f"{name}_{current}" for name, current in PRINTED],
-        "piston": PISTONS,
-    }.items()
-    for name in names
+    f"{RESULTS}/replay/{run.parent.name}_{run.stem}.rrd"
+    for run in map(Path, dict.fromkeys([*TRANSIENTS, *AUDITED, *PITCHING, *PISTONS]))
 ]
 
 

@@ -37,12 +37,42 @@ rule limits_map:
         f"{RESULTS}/logs/limits_study.log",
     benchmark:
         f"{RESULTS}/benchmarks/limits_study.tsv"
-    threads: workflow.cores
+    threads: CORES
     params:
         cases=f"cases/limits@_global_={CASES}",
         config=configured("limits_map", f"cases/limits@_global_={CASES}"),
     shell:
         "squat task=limits_map {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+
+
+rule uneven_bottom:
+    output:
+        f"{RESULTS}/stability/uneven_bottom.nc",
+    log:
+        f"{RESULTS}/logs/uneven_bottom_study.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/uneven_bottom_study.tsv"
+    threads: CORES
+    params:
+        cases=f"cases/uneven_bottom@_global_={CASES}",
+        config=configured("uneven_bottom", f"cases/uneven_bottom@_global_={CASES}"),
+    shell:
+        "squat task=uneven_bottom {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+
+
+rule hull_shapes:
+    output:
+        f"{RESULTS}/stability/hull_shapes.nc",
+    log:
+        f"{RESULTS}/logs/hull_shapes_task.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/hull_shapes_task.tsv"
+    threads: CORES
+    params:
+        cases=f"cases/hull_shapes@_global_={CASES}",
+        config=configured("hull_shapes", f"cases/hull_shapes@_global_={CASES}"),
+    shell:
+        "squat task=hull_shapes {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule convergence:

@@ -4,12 +4,16 @@ PRINTED = [
     (name, current) for name in RUNS["couplings"] for current in RUNS["currents"]
 ]
 PRINTED += [(name, RUNS["currents"][0]) for name in RUNS["readings"]]
-
-
 TRANSIENTS = [f"{RESULTS}/transient/{name}_{current}.nc" for name, current in PRINTED]
 AUDITED = [
     f"{RESULTS}/transient/{name}_{RUNS['currents'][1]}.nc" for name in RUNS["audited"]
 ]
+FREED = "_heave_pitch"  # in the name of a run whose ship is free to pitch
+PITCHING = [
+    f"{RESULTS}/transient/{name}{FREED}_{RUNS['currents'][-2]}.nc"
+    for name in RUNS["pitching"]
+]
+MORE = RUNS["audited"] | {name + FREED: keys for name, keys in RUNS["pitching"].items()}
 
 
 rule transient:
@@ -31,12 +35,13 @@ rule transient:
         config=lambda wildcards: configured(
             "transient",
             f"current={wildcards.current}",
-            f"coupling={wildcards.coupling}",
-            *RUNS["audited"].get(wildcards.coupling, []),
+            f"coupling={wildcards.coupling.removesuffix(FREED)}",
+            *MORE.get(wildcards.coupling, []),
         ),
-        more=lambda wildcards: RUNS["audited"].get(wildcards.coupling, []),
+        coupling=lambda wildcards: wildcards.coupling.removesuffix(FREED),
+        more=lambda wildcards: MORE.get(wildcards.coupling, []),
     shell:
-        "squat task=transient current={wildcards.current} coupling={wildcards.coupling}"
-        " snapshots={params.snapshots} {params.more}"
+        "squat task=transient current={wildcards.current} coupling={params.coupling}"
+        " snapshots={params.snapshots} {params.more:q}"
         " 'inputs.mesh=\"{input.mesh}\"' 'inputs.added_mass=\"{input.added_mass}\"'"
         " 'inputs.equilibria=\"{input.equilibria}\"' 'out=\"{output}\"' > {log:q} 2>&1"
