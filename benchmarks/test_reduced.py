@@ -165,8 +165,8 @@ def test_reduced_pressure_run_is_hundreds_of_times_the_plain_and_tens_of_times_t
     note("step of that run, microseconds", f"{t_reduced / PERIOD * 1e6:.0f}")
     assert np.abs(plain(STEPS) - reduced(STEPS)).max() < 1e-7
     assert np.abs(fast(PERIOD) - reduced(PERIOD)).max() < 1e-7
-    assert t_plain / t_first > 200
-    assert t_fast / t_reduced > 20
+    assert t_plain / t_first > 400
+    assert t_fast / t_reduced > 30
 
 
 def costs(n):

@@ -1,7 +1,9 @@
 """The one coupling loop: Algorithm 1, and Algorithm 2 with another problem in it."""
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -82,7 +84,7 @@ class _Iteration(NamedTuple):
     status: Status
     motion: Motion
     load: Load
-    residuals: Vector
+    residuals: list[Vector]
     learned: Secants | None = None
 
 
@@ -99,7 +101,7 @@ def advance(problem: Problem, coupling: Coupling, state: State, dt: float) -> St
     end = state
     if done.status == "converged":
         end = state.followed_by(done.motion, done.load.memory, done.learned)
-    norms = np.linalg.norm(done.residuals, axis=1)
+    norms = np.array([_size(residual) for residual in done.residuals])
     return Step(done.status, end, norms, contraction(done.residuals), done.load.force)
 
 
@@ -120,7 +122,7 @@ def _iterate(
         load = problem.load(trial, state.memory, kinematics.dt)
         answer = scheme.solve(load.force, trial, kinematics)
         residuals.append(answer.position - trial.position)
-        size = float(np.sqrt(residuals[-1] @ residuals[-1]))
+        size = _size(residuals[-1])
         first = first or size
         if criterion.lost(size, first):
             status = "diverged"
@@ -130,7 +132,7 @@ def _iterate(
             status = "converged"
             break
     learned = updates.learned() if status == "converged" else state.learned
-    return _Iteration(status, answer, load, np.array(residuals), learned)
+    return _Iteration(status, answer, load, residuals, learned)
 
 
 def _solve(
@@ -142,13 +144,17 @@ def _solve(
     return _Iteration("converged" if met else "diverged", end, load, residuals)
 
 
-def contraction(residuals: Vector) -> float:
+def _size(residual: Vector) -> float:
+    return math.sqrt(residual.dot(residual))
+
+
+def contraction(residuals: Iterable[Vector]) -> float:
     """Measured contraction factor of an iteration, NaN with fewer than three residuals.
 
     Parameters
     ----------
     residuals
-        Residual vectors r^k, shape (iterations, n).
+        Residual vectors r^k, shape (n,) each.
 
     Notes
     -----
@@ -157,13 +163,15 @@ def contraction(residuals: Vector) -> float:
     so ratios count from the third iterate on. Residuals that have grown beyond the first of
     these are left out: where the iteration diverges they are no longer small.
     """
-    finite = residuals[np.isfinite(residuals).all(axis=1)]
-    before, after = finite[1:-1], finite[2:]
-    if len(before) == 0 or not (scale := float(np.linalg.norm(before[0]))) > 0:
-        return float("nan")
-    small = np.linalg.norm(before, axis=1) <= scale
-    before, after = before[small] / scale, after[small] / scale
-    return float(np.vdot(before, after) / np.vdot(before, before))
+    finite = [(r, size) for r in residuals if math.isfinite(size := _size(r))][1:]
+    if len(finite) < 2 or not (scale := finite[0][1]) > 0:
+        return math.nan
+    products = squares = 0.0
+    for (before, size), (after, _) in pairwise(finite):
+        if size <= scale:
+            products += (before / scale).dot(after / scale)
+            squares += (size / scale) ** 2
+    return products / squares
 
 
 def march(

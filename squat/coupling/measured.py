@@ -1,5 +1,6 @@
 """A problem of several modes in metres, for one tolerance, and with some of its modes held."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -7,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from squat.coupling.loop import State
+from squat.coupling.loop import Coupling, State, Step, advance
 from squat.coupling.problem import Load, Problem
 from squat.dynamics import Motion
 from squat.quantities import Vector
@@ -64,9 +65,13 @@ class Measured:
         """Motion of x for one of q."""
         return Motion(*(part * self.lengths for part in motion))
 
-    def state(self, state: State, *, outward: bool) -> State:
-        """`state` with its motions turned from q to x, or back."""
+    def advanced(self, coupling: Coupling, state: State, dt: float) -> Step:
+        """One time step of `dt` [s] from a state of q to one of q."""
         if self._same:
-            return state
-        turn = self.outward if outward else self.inward
-        return replace(state, past=tuple(turn(motion) for motion in state.past))
+            return advance(self, coupling, state, dt)
+        step = advance(self, coupling, _turned(state, self.outward), dt)
+        return replace(step, state=_turned(step.state, self.inward))
+
+
+def _turned(state: State, turn: Callable[[Motion], Motion]) -> State:
+    return replace(state, past=tuple(turn(motion) for motion in state.past))

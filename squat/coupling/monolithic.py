@@ -29,7 +29,7 @@ class Monolithic:
 
 def together(
     problem: Problem, kinematics: Kinematics, guess: Motion, memory: Any
-) -> tuple[Motion, Load, Vector]:
+) -> tuple[Motion, Load, list[Vector]]:
     """Motion that solves the step's equations, its load, and all residuals met on the way.
 
     A residual, shape (n,), is dt^2/s3 M^-1 F - (dt^2/s3) q'' [m]: the standard scheme's change of
@@ -52,4 +52,4 @@ def together(
     found = root(residual, guess.position, jac=jacobian, tol=_ROUND_OFF)
     end = kinematics.at_position(np.asarray(found.x, float))
     residual(end.position)
-    return end, problem.load(end, memory, kinematics.dt), np.array(residuals)
+    return end, problem.load(end, memory, kinematics.dt), residuals

@@ -35,7 +35,7 @@ class Scheme:
 
     def solve(self, force: Vector, trial: Motion, kinematics: Kinematics) -> Motion:
         """Motion of the structure under `force` (shape (n,)), the answer to `trial`."""
-        acceleration = self._inverse @ (force + self.added_mass @ trial.acceleration)
+        acceleration = self._inverse.dot(force + self.added_mass.dot(trial.acceleration))
         return kinematics.at_acceleration(acceleration)
 
 

@@ -48,17 +48,18 @@ class RigidBody:
 
     def gradient(self, q: Vector) -> Vector:
         """Its derivatives, shape (n,) [N/m]: minus the generalised force."""
-        weight = self._upright if self._translates else self.height_gradient(q)
-        return self.mass * self.gravity * weight + self._stiffness * q
+        if not self._translates:
+            return self.mass * self.gravity * self.height_gradient(q) + self._stiffness * q
+        return self._weight + self._stiffness * q if self.mooring else self._weight
 
     @cached_property
     def _translates(self) -> bool:
         return "pitch" not in self.modes
 
     @cached_property
-    def _upright(self) -> Vector:
-        """dz_G/dq_i at rest; everywhere, for a ship that does not turn."""
-        return self.height_gradient(np.zeros(len(self.modes)))
+    def _weight(self) -> Vector:
+        """m g dz_G/dq_i, shape (n,): the same everywhere for a ship that does not turn."""
+        return self.mass * self.gravity * self.height_gradient(np.zeros(len(self.modes)))
 
     @cached_property
     def _stiffness(self) -> Vector:

@@ -37,7 +37,7 @@ class Rate:
 
 RATES: dict[RateName, Rate] = {
     # (phi^{n+1} - phi^{n-1})/(2 dt): stands at t_n; with Eq. (17) the reading that converges.
-    "centred": Rate(0.5, 2, lambda old, dt: -old.before / (2 * dt)),
+    "centred": Rate(0.5, 2, lambda old, dt: -0.5 / dt * old.before),
     # (3 phi^{n+1} - 4 phi^n + phi^{n-1})/(2 dt)
     "backward": Rate(1.5, 2, lambda old, dt: (old.before - 4 * old.now) / (2 * dt)),
     # (phi^{n+1} - phi^n)/dt: what "second order selected" was selected against.

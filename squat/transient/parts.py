@@ -1,7 +1,7 @@
 """What a run needs before it starts: mesh, added mass, loop."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,7 +18,6 @@ from squat.coupling import (
     SingleMode,
     State,
     Step,
-    advance,
     corrected,
     standard,
 )
@@ -84,9 +83,7 @@ class Parts:
     def advance(self, state: State) -> Step:
         """One time step; diverged where it leaves the positions that the model can take."""
         if isinstance(self.coupling, Coupling):
-            loop = self.loop
-            step = advance(loop, self.coupling, loop.state(state, outward=True), self.dt)
-            return replace(step, state=loop.state(step.state, outward=False))
+            return self.loop.advanced(self.coupling, state, self.dt)
         try:
             return self.coupling.advance(state, self.dt)
         except PositionError:
