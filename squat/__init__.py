@@ -27,8 +27,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from squat.api import find_runs, open_run, run
-    from squat.config.compose import compose
+    from squat.api import compose, find_runs, open_run, run
     from squat.errors import InputError
     from squat.external import Structure, couple
     from squat.records import config_of
@@ -38,7 +37,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "InputError": "squat.errors",
     "Structure": "squat.external",
-    "compose": "squat.config",
+    "compose": "squat.api",
     "config_of": "squat.records",
     "couple": "squat.external",
     "find_runs": "squat.api",

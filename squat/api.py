@@ -4,6 +4,7 @@ import time
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 import xarray as xr
@@ -70,14 +71,46 @@ def run(task: str, *overrides: str) -> xr.Dataset:
     True
     """
     # The solvers take seconds to import, and who reads a file needs none of them.
-    from squat.cli.tasks import TASKS, compute  # noqa: PLC0415
-    from squat.config import compose, validate  # noqa: PLC0415
+    from squat import config  # noqa: PLC0415
+    from squat.cli.tasks import FILES, TASKS, compute  # noqa: PLC0415
 
-    if task not in TASKS:
+    if task in FILES:
         raise InputError(f"task={task}: makes no dataset; give one of {', '.join(TASKS)}")
     started = time.perf_counter()
-    valid = validate(compose(task, *overrides))
+    valid = config.validate(config.compose(task, *overrides))
     return records.stamp(compute(valid), valid.config, started)
+
+
+def compose(task: str, *overrides: str) -> dict[str, Any]:
+    """Configuration of `squat task=<task> <overrides>`, without running it.
+
+    Parameters
+    ----------
+    task
+        Any task.
+    overrides
+        `key=value`, as on the command line.
+
+    Returns
+    -------
+    dict
+        Plain containers, checked as for a run; what follows from other keys (say, a hull's draft
+        from its points) is filled in.
+
+    Raises
+    ------
+    InputError
+        One line, worded as on the command line: the key, its value, the remedy.
+
+    Examples
+    --------
+    >>> import squat
+    >>> squat.compose("equilibria", "hull=lewis", "hull.draft=8")["hull"]["draft"]
+    8
+    """
+    from squat import config  # noqa: PLC0415
+
+    return config.validate(config.compose(task, *overrides)).config
 
 
 def find_runs(

@@ -23,7 +23,7 @@ from hydra.experimental.callback import Callback
 from omegaconf import DictConfig
 
 from squat import sweeps
-from squat.cli.messages import start_logging
+from squat.cli.log import start_logging
 from squat.config import CONF
 from squat.errors import InputError
 from squat.progress import hide, progress

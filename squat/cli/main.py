@@ -18,11 +18,12 @@ from omegaconf.errors import OmegaConfBaseException
 import squat
 from squat.cli.arguments import with_lists
 from squat.cli.jobs import Jobs, check, note_failure
-from squat.cli.messages import condense, start_logging
+from squat.cli.log import start_logging
 from squat.cli.targets import guard
 from squat.cli.tasks import is_done, output, run_task
 from squat.config import CONF, validate
 from squat.config.compose import plain
+from squat.config.messages import condense
 from squat.errors import InputError
 from squat.sweeps import FAILED
 

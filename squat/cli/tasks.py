@@ -7,11 +7,8 @@ from pkgutil import resolve_name
 from typing import Any
 
 import xarray as xr
-from hydra.errors import HydraException
-from omegaconf.errors import OmegaConfBaseException
 
 from squat import records
-from squat.cli.messages import condense
 from squat.config import compose, validate
 from squat.config.schema import Valid
 from squat.config.units import unit
@@ -27,10 +24,7 @@ def collect(case: Any) -> xr.Dataset:
 
 
 def _compose(task: str, *overrides: str) -> dict[str, Any]:
-    try:
-        return validate(compose(task, *overrides)).config
-    except (HydraException, OmegaConfBaseException) as error:
-        raise InputError(condense(error, overrides)) from error
+    return validate(compose(task, *overrides)).config
 
 
 DATASETS = {

@@ -127,7 +127,7 @@ def validate(config: Mapping[str, Any]) -> Valid:
         settings = _adapter(Settings).validate_python(common)
         case = _adapter(CASES[task]).validate_python(own)
     except ValidationError as error:
-        raise InputError(_one_line(error, dict(config))) from error
+        raise InputError(_one_line(error, dict(config))) from None
     return Valid(settings, case, _settled(config, case))
 
 
@@ -147,6 +147,10 @@ def _one_line(error: ValidationError, config: Mapping[str, Any]) -> str:
     details = error.errors(include_url=False)
     # A value of the wrong kind says more than the missing keys that it implies.
     details.sort(key=lambda detail: detail["type"] == "missing")
+    if details[0]["type"] == "missing":
+        missing = [_path(detail["loc"], config)[0] for detail in details]
+        remedy = " ".join(f"+{key}=VALUE" for key in missing)
+        return f"{', '.join(missing)}: missing; give {remedy}"
     line = _describe(details[0], config)
     more = len(details) - 1
     return f"{line} (and {more} more)" if more else line
@@ -168,8 +172,6 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
     if detail["type"] == "union_tag_not_found":
         tag = str(detail["ctx"]["discriminator"]).strip("'")
         return f"{path}.{tag}: missing; give {path}.{tag}=NAME"
-    if detail["type"] == "missing":
-        return f"{path}: missing; give {path}=VALUE"
     if found := _SIZE.match(message):
         message = f"must have {found['size']}, not {found['given']}"
     return f"{path}={_short(value)}: {message.replace('Input should', 'must')}"

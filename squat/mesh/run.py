@@ -1,5 +1,7 @@
 """From a case to the mesh dataset."""
 
+import re
+
 import numpy as np
 import xarray as xr
 
@@ -9,6 +11,9 @@ from squat.mesh.limits import PositionError
 from squat.mesh.mesh import Mesh
 from squat.mesh.submesh import submesh
 from squat.mesh.ugrid import to_dataset
+
+_POSITION = re.compile(r"\b(?=(?:surge|heave|pitch)=)")
+"""Where in a message a part of the position begins, whose key has a prefix here."""
 
 
 def make(case: MeshCase, modes: tuple[str, ...] = ("surge", "heave", "pitch")) -> Mesh:
@@ -24,5 +29,5 @@ def run(case: MeshCase) -> xr.Dataset:
     try:
         coarse.check(q)
     except PositionError as error:
-        raise type(error)(f"position: {error}") from error
+        raise type(error)(_POSITION.sub("position.", str(error))) from error
     return to_dataset(generate(coarse, case.mesh), q)

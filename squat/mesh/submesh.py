@@ -76,9 +76,9 @@ class Submesh:
     def _refuse(self, full: Vector, moved: Vector) -> None:
         self.limits.check(full, moved[self.hull], clearance(moved[self.keel], self.bed))
         if self.areas(moved).min() <= 0:
+            at = " ".join(f"{mode}={value:g}" for mode, value in zip(MODES, full, strict=True))
             raise FoldedError(
-                f"position={full.tolist()}: folds the submesh at a corner of channel.bottom; "
-                "give a smaller motion"
+                f"{at}: folds the submesh at a corner of channel.bottom; give a smaller motion"
             )
 
     def positions(self, q: Vector) -> Vector:

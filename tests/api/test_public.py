@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import pkgutil
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -69,5 +70,31 @@ def test_a_run_in_memory_is_the_run_of_the_command(squat, tmp_path):
 def test_what_makes_no_dataset_is_named():
     with pytest.raises(InputError, match="task=figure: makes no dataset; give one of piston"):
         api.run("figure")
-    with pytest.raises(InputError, match=r"mass_ratio=-1: must be greater than 0"):
-        api.run("piston", "piston.mass_ratio=-1")
+
+
+@pytest.mark.parametrize("call", [api.run, api.compose])
+@pytest.mark.parametrize(
+    ("task", "word"),
+    [
+        ("piston", "pistn.x=2"),
+        ("piston", "+piston.mas_ratio=1"),
+        ("piston", "piston.mass_ratio=-1"),
+        ("piston", "piston.mass_ratio=1,2"),
+        ("piston", "piston.length=${no}"),
+        ("piston", "accelerator=foo"),
+        ("piston", "piston=null"),
+        ("piston", "out=["),
+        ("foo", "current=1"),
+    ],
+)
+def test_a_notebook_reads_the_line_of_the_command(squat, call, task, word):
+    with pytest.raises(InputError) as caught:
+        call(task, word)
+    assert squat(f"task={task}", word).stderr == f"squat: {caught.value}\n"
+    assert caught.value.__suppress_context__  # Hydra's and pydantic's many lines
+
+
+@pytest.mark.parametrize("word", ["task=mesh", "+task=mesh", 3])
+def test_what_is_no_override_is_named(word):
+    with pytest.raises(InputError, match=f"^{re.escape(str(word))}: not an override; give"):
+        api.compose("piston", word)

@@ -20,7 +20,7 @@ from squat.errors import InputError
         (["scheme=foo"], "scheme=foo: must be 'standard', 'corrected' or 'consistent'"),
         (["+foo=1"], "foo=1: unknown key; leave it out"),
         (["+piston.mas_ratio=1"], "piston.mas_ratio=1: unknown key; did you mean 'mass_ratio'?"),
-        (["~piston.length"], "piston.length: missing; give piston.length=VALUE"),
+        (["~piston.length"], "piston.length: missing; give +piston.length=VALUE"),
         (["accelerator=aitken", "accelerator.initial=3"], "accelerator.initial=3: must be less"),
         (["+accelerator.x=3"], "accelerator.x=3: unknown key"),
     ],
@@ -57,8 +57,21 @@ def test_every_run_task_composes_without_overrides(task):
 
 
 def test_a_group_that_a_task_does_not_use_is_refused():
-    with pytest.raises(Exception, match="hull"):
+    with pytest.raises(InputError, match=r"^hull.draft=3: unknown key; "):
         compose("piston", "hull.draft=3")
+
+
+def test_all_missing_keys_of_a_hull_are_named_at_once():
+    with pytest.raises(InputError) as caught:
+        validate(compose("equilibria", "hull.shape=lewis"))
+    assert str(caught.value) == (
+        "hull.wall, hull.area_coefficient, hull.segments: missing; "
+        "give +hull.wall=VALUE +hull.area_coefficient=VALUE +hull.segments=VALUE"
+    )
+    given = ["+hull.wall=1.0", "+hull.area_coefficient=0.9", "+hull.segments=24"]
+    assert validate(compose("equilibria", "hull.shape=lewis", *given)).case.hull.wall == 1
+    with pytest.raises(InputError, match=r"^hull.points, hull.wall: missing; give \+hull.points="):
+        validate(compose("equilibria", "hull.shape=polygon"))
 
 
 def test_unknown_task_lists_the_known_ones():

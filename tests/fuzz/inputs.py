@@ -4,9 +4,8 @@ import random
 import string
 from typing import NamedTuple
 
-from omegaconf import MissingMandatoryValue
-
 from squat.config import CASES, compose
+from squat.errors import InputError
 from tests.fuzz import words
 
 REQUIRED = {
@@ -70,8 +69,9 @@ def _composed(task):
     while True:
         try:
             return compose(task, *REQUIRED.setdefault(task, []))
-        except MissingMandatoryValue as error:
-            REQUIRED[task].append(f"{error.full_key}=good.nc")
+        except InputError as error:
+            key, _, _ = str(error).partition(": missing; give ")
+            REQUIRED[task].append(f"{key}=good.nc")
 
 
 class Generator:

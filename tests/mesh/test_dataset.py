@@ -66,5 +66,9 @@ def test_figure_is_drawn_from_the_record_alone(stored, name):
 
 
 def test_shown_position_out_of_range_is_refused_by_name(case):
-    with pytest.raises(InputError, match=r"^position: heave=-12 .*grounded"):
+    with pytest.raises(
+        InputError, match=r"^position\.heave=-12 position\.pitch=0\.05: grounded, clearance -"
+    ):
         run(case("mesh", "position.heave=-12.0"))
+    with pytest.raises(InputError, match=r"^position\.pitch=0\.4: must be within 0\.26"):
+        run(case("mesh", "position.pitch=0.4"))

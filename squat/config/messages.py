@@ -1,8 +1,6 @@
-"""What is said on stderr: the log, and Hydra's and OmegaConf's many-line errors in one."""
+"""Hydra's and OmegaConf's many-line errors in one line, for the command line and notebooks."""
 
-import logging
 import re
-import sys
 from collections.abc import Sequence
 
 from hydra.errors import OverrideParseException
@@ -20,20 +18,14 @@ _KNOWN = {
     ),
     r"You must specify '(?P<key>[^']+)'": "{key}: missing; give {key}=NAME, one of {choices}",
     r"Missing mandatory value: (?P<key>\S+)": "{key}: missing; give {key}=VALUE",
+    r"Ambiguous value for argument '(?P<key>.+)'\n": (
+        "{key}: several values; give one, a list in brackets, or a run of each by squat -m"
+    ),
 }
 
 
-def start_logging(level: str) -> None:
-    """Log to stderr from `level` (of the key log_level) on."""
-    logging.basicConfig(
-        format="%(levelname)s %(message)s", level=level.upper(), stream=sys.stderr, force=True
-    )
-    for chatty in ("skfem", "hydra_plugins"):  # every basis, every job's overrides
-        logging.getLogger(chatty).setLevel(logging.WARNING)
-
-
 def condense(error: Exception, arguments: Sequence[str]) -> str:
-    """One line for `error`: key, value, remedy; `arguments` are the command line's."""
+    """One line for `error`: key, value, remedy; `arguments` are what was typed."""
     text = str(error)
     if isinstance(error, InputError):
         return " ".join(text.split())
