@@ -9,6 +9,7 @@ from typing import Any
 import xarray as xr
 
 from squat import records
+from squat.cli.endings import ending
 from squat.config import compose, validate
 from squat.config.schema import Valid
 from squat.config.units import unit
@@ -100,7 +101,7 @@ def run_task(valid: Valid, path: Path) -> None:
     else:
         dataset = resolve_name(DATASETS[task])(valid.case)
         records.save(dataset, path, valid.config, started)
-    _log.info("%s: written%s", path, _headline(dataset, valid.case))
+    _log.info("%s: written%s", path, ending(dataset, valid.case))
 
 
 def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
@@ -121,10 +122,3 @@ def compute(valid: Valid) -> xr.Dataset:
     found: Any = resolve_name({**DATASETS, **GROUPED}[task])(valid.case)
     dataset: xr.Dataset = found.dataset if task in GROUPED else found
     return dataset
-
-
-def _headline(dataset: xr.Dataset, case: Any) -> str:
-    status, summary = (dataset.attrs.get(name) for name in ("status", "summary"))
-    if dataset.attrs["schema"].split("/")[1] == "transient":
-        status = resolve_name("squat.transient.ending:told")(dataset, case)
-    return (f", status {status}" if status else "") + (f"\n{summary}" if summary else "")
