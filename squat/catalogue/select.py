@@ -1,5 +1,6 @@
 """Rows and columns of the table of runs."""
 
+import difflib
 import re
 from collections.abc import Sequence
 
@@ -10,6 +11,7 @@ from squat.errors import InputError
 
 _CALLS = ("isin", "isna", "notna", "between", "abs", "contains", "startswith", "endswith")
 """Methods of columns that a condition may call: none that writes, reads or runs anything."""
+_GRAMMAR = ("and", "or", "not", "in", "True", "False", "None")
 _QUOTED = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`""")
 _WORD = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`|[^\W\d][\w.]*""")
 
@@ -27,11 +29,7 @@ def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd
         try:
             found = frame.query(_quoted(where, frame), engine="python")
         except Exception as error:  # pandas raises a dozen types for what a user may mistype
-            reason = str(error).splitlines()[0]
-            raise InputError(
-                f"where={where}: {reason}; give a condition like 'status == \"diverged\"' "
-                "on columns of the table"
-            ) from error
+            raise InputError(f"where={where}: {_complaint(where, frame, error)}") from None
         frame = found
     names = [name.removeprefix("-") for name in sort]
     _known(names, frame, "sort")
@@ -62,6 +60,22 @@ def varying(frame: pd.DataFrame) -> list[str]:
     ]
 
 
+def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:
+    names = [str(name) for name in frame.columns]
+    for word in _WORD.findall(where):
+        asked = word.strip("`")
+        known = any(asked == name or asked.startswith(f"{name}.") for name in names)
+        if not (known or word.startswith(("'", '"')) or word in _GRAMMAR):
+            near = difflib.get_close_matches(asked, names, n=1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            return (
+                f"{asked} is no column{hint} (text is quoted, as in 'status == \"diverged\"'); "
+                f"give one of {', '.join(names)}"
+            )
+    reason = str(error).splitlines()[0]
+    return f"{reason}; give a condition like 'status == \"diverged\"' on columns of the table"
+
+
 def _quoted(where: str, frame: pd.DataFrame) -> str:
     """`where` with dotted names in the backticks that pandas asks for."""
 
@@ -75,9 +89,7 @@ def _quoted(where: str, frame: pd.DataFrame) -> str:
 def _harmless(where: str) -> None:
     """Refuse what would make of a condition a program."""
     bare = _QUOTED.sub("''", where)
-    called = [
-        name for name in re.findall(r"(\w+)\s*\(", bare) if name not in ("and", "or", "not", "in")
-    ]
+    called = [name for name in re.findall(r"(\w+)\s*\(", bare) if name not in _GRAMMAR]
     if "@" in bare or "__" in bare or set(called) - set(_CALLS):
         raise InputError(
             f"where={where}: only columns, values, comparisons and {', '.join(_CALLS)} are read"

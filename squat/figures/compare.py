@@ -1,11 +1,13 @@
 """Chosen runs in one picture: a variable over time, or a headline figure over a key."""
 
+import logging
 from pathlib import Path
 from typing import Annotated
 
 import matplotlib as mpl
 import numpy as np
 import pandas as pd
+from h5netcdf import File
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from pydantic import Field
@@ -17,7 +19,10 @@ from squat.figures.files import save
 from squat.figures.style import CYCLE, SETTINGS, single
 from squat.quantities import STRICT
 
+_log = logging.getLogger(__name__)
 _USUAL = {"transient": "heave", "piston": "position"}
+_LABELS = (".name", ".shape")
+_LAST = 99  # more dots than any key has
 _LINE = 0.17  # in, height of a line of the legend
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
@@ -33,7 +38,8 @@ class CompareCase:
     where
         A condition in pandas' query language; empty: all runs.
     variable
-        A variable with one dimension, or a column of the catalogue; None: heave or position.
+        A variable with one dimension, or a column of the catalogue; None: heave or position. Runs
+        without it are skipped.
     over
         What to plot it over: a variable of that dimension, or a column of the catalogue;
         None: the variable's own coordinate.
@@ -51,7 +57,8 @@ def write_compare(case: CompareCase, path: Path) -> None:
     table = catalogue.select(catalogue.find([Path(place) for place in places]), case.where)
     if table.empty:
         raise InputError(f"where={case.where}: no run is left; loosen the condition")
-    variable = case.variable or _USUAL.get(table["kind"].iloc[0])
+    usual = (_USUAL[kind] for kind in table["kind"] if kind in _USUAL)
+    variable = case.variable or next(usual, None)
     if variable is None:
         raise InputError("variable=None: runs of this kind have no usual one; give variable=NAME")
     with mpl.rc_context(SETTINGS):
@@ -59,16 +66,37 @@ def write_compare(case: CompareCase, path: Path) -> None:
 
 
 def draw(table: pd.DataFrame, variable: str, over: str | None) -> Figure:
-    """The picture of the runs in `table` (of `catalogue.find`)."""
+    """The picture of the runs in `table` (of `catalogue.find`) that have what is asked for."""
     figure, axes = single(7.0, 4.0)
-    if over is not None and variable in table.columns and over in table.columns:
-        _points(axes, table, variable, over)
+    wanted = list(filter(None, (variable, over)))
+    if over is not None and set(wanted) <= set(table.columns):
+        _points(axes, _kept(table, table[wanted].notna().all(axis=1), wanted), variable, over)
     else:
-        _lines(axes, table, variable, over)
+        held = table["file"].map(lambda file: set(wanted) <= _variables(file))
+        _lines(axes, _kept(table, held, wanted), variable, over)
     if (lines := len(axes.lines)) > 1:
         figure.set_figheight(4.0 + _LINE * lines)
         figure.legend(loc="outside lower center", fontsize=8)
     return figure
+
+
+def _kept(table: pd.DataFrame, held: "pd.Series[bool]", wanted: list[str]) -> pd.DataFrame:
+    """The rows that hold what is wanted; how many do not is said."""
+    names, lacking = " and ".join(wanted), len(table) - int(held.sum())
+    if lacking == len(table):
+        own = ", ".join(sorted(_variables(table["file"].iloc[0])))
+        raise InputError(
+            f"variable={wanted[0]}: no run has {names}; give one that they have, as {own}"
+        )
+    if lacking:
+        _log.warning("%d of %d runs skipped: without %s", lacking, len(table), names)
+    return table[held]
+
+
+def _variables(file: str) -> set[str]:
+    """Names of the variables in a file that the catalogue found whole."""
+    with File(file, "r") as opened:
+        return set(opened.variables)
 
 
 def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> None:
@@ -78,9 +106,6 @@ def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> 
     axes.set_prop_cycle(CYCLE)
     for file, label in _labelled(table):
         data = records.read(Path(file))
-        for name in filter(None, (variable, over)):
-            if name not in data.variables:
-                raise InputError(f"{file}: has no variable {name!r}; give one of its own")
         values = data[variable]
         if values.ndim != 1:
             raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
@@ -104,16 +129,24 @@ def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
 
 
 def _keys(table: pd.DataFrame) -> list[str]:
-    """The fewest configured keys, first ones first, that tell apart what all of them do."""
+    """The fewest configured keys that tell apart what all of them do.
+
+    A key that names a choice comes before what it stands for, and the choice before its parts.
+    """
     kept: list[str] = []
     groups = 1
-    for name in catalogue.varying(table):
+    order = sorted(catalogue.varying(table), key=lambda n: n.count(".") if _labels(n) else _LAST)
+    for name in order:
         if name.startswith(catalogue.RESULT):
             continue
         finer = len(table[[*kept, name]].drop_duplicates())
         if finer > groups:
             kept, groups = [*kept, name], finer
     return kept
+
+
+def _labels(name: str) -> bool:
+    return name.endswith(_LABELS)
 
 
 def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
@@ -130,7 +163,7 @@ def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
 def _named(values: dict[str, object]) -> str:
     """Short names of keys with their values, missing ones left out."""
     return ", ".join(
-        f"{key.removesuffix('.name').rsplit('.', 1)[-1]} = "
+        f"{(key.rpartition('.')[0] if _labels(key) else key).rpartition('.')[2]} = "
         + (f"{value:g}" if isinstance(value, float) else str(value))
         for key, value in values.items()
         if not (isinstance(value, float) and np.isnan(value))

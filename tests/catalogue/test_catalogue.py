@@ -11,7 +11,7 @@ import squat as api
 from squat.catalogue import find, select, varying
 from squat.catalogue.difference import difference
 from squat.errors import InputError
-from squat.figures.compare import draw
+from squat.figures.compare import CompareCase, draw, write_compare
 
 RATIOS = (0.5, 2.0, 0.9)
 
@@ -56,8 +56,20 @@ def test_conditions_take_dotted_names_and_order_is_as_asked(runs):
 @pytest.mark.parametrize(
     ("where", "sort", "message"),
     [
-        ("nonsense > 1", [], r"where=nonsense > 1: .*nonsense"),
-        ("kind ==", [], r"where=kind ==: "),
+        (
+            "nonsense > 1",
+            [],
+            r"where=nonsense > 1: nonsense is no column .*; give one of file, kin",
+        ),
+        (
+            "piston.mas > 1",
+            [],
+            r": piston.mas is no column; did you mean piston.mass_ratio\? .*, piston.mass_ratio, ",
+        ),
+        ("`no such` > 1 and kind == 'x y'", [], r": no such is no column "),
+        ("kind == piston", [], r": piston is no column \(text is quoted, as in 'status == "),
+        ("kind ==", [], r"where=kind ==: invalid syntax"),
+        ("kind.isin(['piston']) and status >", [], r": invalid syntax"),
         ("", ["mass_ratio"], r"sort=mass_ratio: no run has it; give piston.mass_ratio"),
     ],
 )
@@ -112,8 +124,43 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         assert f"mass_ratio = {ratio:g}" in line.get_label()
     (axes,) = draw(table, "result.predicted_contraction", "piston.mass_ratio").axes
     assert list(axes.lines[0].get_xdata()) == sorted(RATIOS)
-    with pytest.raises(InputError, match="has no variable 'heave'"):
+    with pytest.raises(InputError, match=r"variable=heave: no run has heave; .* as .*position"):
         draw(table, "heave", None)
+
+
+def test_runs_without_the_variable_are_skipped_and_counted(runs, tmp_path, caplog):
+    out = tmp_path / "compare.png"
+    write_compare(CompareCase(runs=str(runs), where="", variable=None, over=None), out)
+    assert out.exists()
+    (axes,) = draw(find([runs]), "position", None).axes
+    assert len(axes.lines) == len(RATIOS)
+    (axes,) = draw(find([runs]), "result.position_last", "piston.mass_ratio").axes
+    assert list(axes.lines[0].get_xdata()) == sorted(RATIOS)
+    assert [record.getMessage() for record in caplog.records] == [
+        "1 of 4 runs skipped: without position",
+        "1 of 4 runs skipped: without position",
+        "1 of 4 runs skipped: without result.position_last and piston.mass_ratio",
+    ]
+
+
+def test_a_legend_names_the_choice_rather_than_its_parts(runs):
+    table = pd.DataFrame(
+        {
+            "file": sorted(map(str, runs.glob("deep/*/piston.nc"))),
+            "kind": "piston",
+            "status": "converged",
+            "coupling.accelerator.name": ["none", "none", "iqn_ils"],
+            "coupling.scheme": ["standard", "corrected", "consistent"],
+            "coupling.name": ["printed_standard", "printed", "consistent_quasi_newton"],
+            "hull.length": [40.0, 30.0, 20.0],
+            "hull.shape": ["rectangle", "lewis", "v"],
+        }
+    )
+    (axes,) = draw(table, "position", None).axes
+    labels = {line.get_label() for line in axes.lines}
+    assert labels == {f"coupling = {name}" for name in table["coupling.name"]}
+    (axes,) = draw(table.drop(columns="coupling.name").iloc[:2], "position", None).axes
+    assert [line.get_label() for line in axes.lines] == ["hull = lewis", "hull = rectangle"]
 
 
 def test_the_command_writes_both_pictures(runs, squat, tmp_path):
