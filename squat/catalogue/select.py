@@ -66,7 +66,7 @@ def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:
         asked = word.strip("`")
         known = any(asked == name or asked.startswith(f"{name}.") for name in names)
         if not (known or word.startswith(("'", '"')) or word in _GRAMMAR):
-            near = difflib.get_close_matches(asked, names, n=1)
+            near = difflib.get_close_matches(asked, names, n=1, cutoff=0.8)
             hint = f"; did you mean {near[0]}?" if near else ""
             return (
                 f"{asked} is no column{hint} (text is quoted, as in 'status == \"diverged\"'); "
