@@ -15,6 +15,7 @@ CHEAPER = {
     "stability_map": "mesh=coarse cases/map@_global_=small",
     "hull_shapes": "cases/hull_shapes@_global_=small",
     "race": "cases/race@cells=small",
+    "trim": "cases/trim@_global_=small",
 }
 """Added to a command of a page, unless it says otherwise: its keys are tried, not its time."""
 
