@@ -14,6 +14,10 @@ _LINES = 10
 _log = logging.getLogger(__name__)
 
 
+def _any(_: object) -> bool:
+    return True
+
+
 def hide() -> None:
     """Show no progress in this process: one of many, whose progress is shown as a whole."""
     _log.setLevel(logging.WARNING)
@@ -25,6 +29,7 @@ def progress(
     label: str,
     initial: int = 0,
     note: Callable[[], str] = str,
+    worked: Callable[[Item], bool] = _any,
     log: logging.Logger = _log,
 ) -> Iterator[Item]:
     """`items` unchanged, showing on stderr how many of `total` are done.
@@ -35,23 +40,32 @@ def progress(
         How many were done before.
     note
         What else to say, asked after each item.
+    worked
+        Whether an item took any work: one that did not tells nothing of the time left.
     log
         Its level warning hides all.
     """
     if not log.isEnabledFor(logging.INFO):
         yield from items
     elif sys.stderr.isatty():
-        yield from _bar(items, total, label, initial, note)
+        yield from _bar(items, total, label, initial, note, worked)
     else:
-        yield from _lines(items, total, label, initial, note, log)
+        yield from _lines(items, total, label, initial, note, worked, log)
 
 
 def _bar(
-    items: Iterable[Item], total: int, label: str, initial: int, note: Callable[[], str]
+    items: Iterable[Item],
+    total: int,
+    label: str,
+    initial: int,
+    note: Callable[[], str],
+    worked: Callable[[Item], bool],
 ) -> Iterator[Item]:
-    with tqdm(total=total, desc=label, leave=False, initial=initial) as bar:
+    # Without smoothing tqdm's rate is that of all items beyond `initial`.
+    with tqdm(total=total, desc=label, leave=False, initial=initial, smoothing=0) as bar:
         for item in items:
             yield item
+            bar.initial += not worked(item)
             bar.set_postfix_str(note(), refresh=False)
             bar.update()
 
@@ -62,15 +76,17 @@ def _lines(
     label: str,
     initial: int,
     note: Callable[[], str],
+    worked: Callable[[Item], bool],
     log: logging.Logger,
 ) -> Iterator[Item]:
-    begin, shown = time.monotonic(), initial * _LINES // total
+    begin, shown, works = time.monotonic(), initial * _LINES // total, 0
     for done, item in enumerate(items, initial + 1):
         yield item
+        works += worked(item)
         if done * _LINES // total > shown:
             shown = done * _LINES // total
-            left = (time.monotonic() - begin) / (done - initial) * (total - done)
             words = [f"{label}: {done} of {total}", note()]
-            if done < total:
+            if done < total and works:
+                left = (time.monotonic() - begin) / works * (total - done)
                 words.append(f"{timedelta(seconds=round(left))} left")
             log.info("%s", ", ".join(filter(None, words)))

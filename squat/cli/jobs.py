@@ -1,14 +1,12 @@
 """A multirun as a whole: its jobs by name, their progress in one place, the failed ones."""
 
 import logging
-import os
 import re
 import shutil
 import tempfile
 import threading
-import time
 import traceback
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, ClassVar, Literal
@@ -64,10 +62,11 @@ class Jobs(Callback):
     failed: ClassVar[bool] = False
     job_started: ClassVar[bool] = False
     outcome: ClassVar[Outcome] = "done"
+    earlier: ClassVar[str] = ""
+    """How the complete run that is skipped says that it ended."""
     _board: ClassVar["Board | None"] = None
 
     def __init__(self) -> None:
-        self.main = os.getpid()
         self.marks = ""
 
     @classmethod
@@ -84,17 +83,15 @@ class Jobs(Callback):
         self.marks = Jobs._board.folder.name
 
     def on_job_start(self, config: DictConfig, **kwargs: Any) -> None:
-        """One job of many shows no progress of its own, and does not outlive the main process."""
-        if not self.marks:
-            return
-        hide()
-        if os.getppid() == self.main:
-            threading.Thread(target=_die_with, args=(self.main,), daemon=True).start()
+        """One job of many shows no progress of its own."""
+        if self.marks:
+            hide()
 
     def on_job_end(self, config: DictConfig, job_return: JobReturn, **kwargs: Any) -> None:
         """Mark the end where the main process looks, unless that is gone."""
         if self.marks and Path(self.marks).is_dir():
-            (Path(self.marks) / f"{config.hydra.job.num}.{Jobs.outcome}").touch()
+            mark = f"{config.hydra.job.num}.{Jobs.outcome}.{Jobs.earlier}"
+            (Path(self.marks) / mark).touch()
 
     @classmethod
     def finish(cls) -> None:
@@ -113,13 +110,6 @@ def _named(config: DictConfig) -> dict[str, list[str]]:
         name = get_overrides_dirname(parsed, list(style.exclude_keys), style.item_sep, style.kv_sep)
         names[name or "."] = job
     return names
-
-
-def _die_with(process: int) -> None:
-    """End this worker when the main process is gone: a second sweep may already have begun."""
-    while os.getppid() == process:
-        time.sleep(_LOOK)
-    os._exit(1)
 
 
 class Board:
@@ -152,13 +142,19 @@ class Board:
         return any((job / sweeps.FAILED).exists() for job in self._jobs)
 
     def _show(self) -> None:
-        for _ in progress(self._ends(), self._total, "jobs", note=self._note, log=_log):
-            pass
+        shown = progress(
+            self._ends(), self._total, "jobs", note=self._note, worked=_worked, log=_log
+        )
+        deque(shown, maxlen=0)
 
     def _note(self) -> str:
-        """How many were skipped or failed."""
-        counts = Counter(name.partition(".")[2] for name in self._seen)
-        return ", ".join(f"{counts[word]} {word}" for word in ("skipped", "failed") if counts[word])
+        """How many were skipped, with how they once ended, and how many failed."""
+        outcomes = [tuple(name.split(".")[1:]) for name in self._seen]
+        earlier = Counter(status for outcome, status in outcomes if outcome == "skipped")
+        failed = sum(outcome == "failed" for outcome, _ in outcomes)
+        ends = ", ".join(f"{count} {status}" for status, count in sorted(earlier.items()))
+        skipped = f"{earlier.total()} skipped ({ends})" if earlier else ""
+        return ", ".join(filter(None, [skipped, f"{failed} failed" if failed else ""]))
 
     def _ends(self) -> Iterator[str]:
         seen = self._seen
@@ -170,6 +166,10 @@ class Board:
                 yield name
             if last:
                 return
+
+
+def _worked(mark: str) -> bool:
+    return mark.split(".")[1] != "skipped"
 
 
 def note_failure(folder: Path, error: Exception, line: str, expected: bool) -> None:

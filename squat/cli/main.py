@@ -20,7 +20,7 @@ from squat.cli.arguments import with_lists
 from squat.cli.jobs import Jobs, check, note_failure
 from squat.cli.log import start_logging
 from squat.cli.targets import guard
-from squat.cli.tasks import is_done, output, run_task
+from squat.cli.tasks import earlier_end, output, run_task
 from squat.config import CONF, validate
 from squat.config.compose import plain
 from squat.config.messages import condense
@@ -87,7 +87,7 @@ def _entry(config: DictConfig) -> None:
     job = HydraConfig.get()
     folder = Path(os.path.relpath(job.runtime.output_dir))
     multirun = job.mode == RunMode.MULTIRUN
-    Jobs.job_started, Jobs.outcome = True, "done"
+    Jobs.job_started, Jobs.outcome, Jobs.earlier = True, "done", ""
     try:
         _run(config, folder, multirun)
     except Exception as error:
@@ -116,9 +116,9 @@ def _run(config: DictConfig, folder: Path, multirun: bool) -> None:
         if out is not None and Path(out).is_absolute():
             raise InputError(f"out={out}: every job would write it; give a relative path")
         (folder / FAILED).unlink(missing_ok=True)
-        if not valid.settings.redo and is_done(valid, path):
-            Jobs.outcome = "skipped"
-            _log.info("%s: complete, skipped; redo=true makes it again", path)
+        if not valid.settings.redo and (status := earlier_end(valid, path)):
+            Jobs.outcome, Jobs.earlier = "skipped", status
+            _log.info("%s: complete, skipped (%s); redo=true makes it again", path, status)
             return
     run_task(valid, path)
 

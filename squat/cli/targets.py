@@ -14,7 +14,7 @@ from omegaconf import DictConfig, OmegaConf
 from squat.errors import InputError
 
 _TARGET = re.compile(
-    r"squat\.cli\.jobs\.Jobs|hydra_plugins\.squat_batches\.launcher\.Batches"
+    r"squat\.cli\.jobs\.Jobs|hydra_plugins\.squat_batches\.(launcher\.Batches|cores\.Cores)"
     r"|(hydra_plugins|hydra\._internal\.core_plugins)(\.[a-z_]+)+\.[A-Za-z]+(Launcher|Sweeper)"
 )
 _LOGGING = re.compile(r"logging\.(handlers\.)?[A-Za-z]+(Handler|Formatter|Filter)")

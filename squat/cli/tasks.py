@@ -75,14 +75,16 @@ def output(valid: Valid, folder: Path) -> Path:
     return path
 
 
-def is_done(valid: Valid, path: Path) -> bool:
-    """Whether `path` holds the whole dataset that this very configuration makes."""
+def earlier_end(valid: Valid, path: Path) -> str:
+    """How the run of this very configuration ended that `path` holds whole; empty: it does not."""
     if valid.settings.task in FILES or not path.is_file():
-        return False
+        return ""
     try:
-        return records.is_answer(records.read_whole(path), valid.config)
+        dataset = records.read_whole(path)
     except InputError:
-        return False
+        return ""
+    done = records.is_answer(dataset, valid.config)
+    return str(dataset.attrs.get("status", "completed")) if done else ""
 
 
 def run_task(valid: Valid, path: Path) -> None:

@@ -70,7 +70,7 @@ def test_a_complete_job_is_skipped_and_a_broken_one_done_again_unless_redo_asks(
     broken.write_bytes(before[:-100])
     again = squat(*command).stderr
     assert again.count("complete, skipped") == 1
-    assert "jobs: 2 of 2, 1 skipped" in again
+    assert "jobs: 2 of 2, 1 skipped (1 converged)" in again
     assert whole.read_bytes() == before
     assert read(broken).attrs["status"] == "converged"
     assert "skipped" not in squat(*command, "redo=true").stderr

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import psutil
 import pytest
 
 from squat.config import compose, validate
@@ -212,6 +213,31 @@ def test_a_killed_sweep_goes_on_with_the_same_command_and_is_joined(squat, tmp_p
     assert (whole["job_status"] == "converged").all()
     assert list(whole["mass_ratio"].values) == [0.2, 0.3, 0.4]
     assert list(read(tmp_path / "cut.nc")["mass_ratio"].values) == [0.2, 0.3, 0.4]
+
+
+def is_worker(process):
+    try:
+        return "popen_loky_posix" in " ".join(process.cmdline())
+    except psutil.Error:  # it has ended meanwhile
+        return False
+
+
+def test_workers_end_with_a_killed_sweep_even_while_they_still_load(tmp_path):
+    victim = subprocess.Popen(
+        [str(Path(sys.executable).parent / "squat"), "-m", "task=piston", "time.periods=1000",
+         "piston.mass_ratio=0.2,0.3,0.4", "hydra.launcher.n_jobs=2"],
+        cwd=tmp_path, stderr=subprocess.DEVNULL, env={**os.environ, "OMP_NUM_THREADS": "1"},
+    )  # fmt: skip
+    sweep = psutil.Process(victim.pid)
+    while not any(map(is_worker, sweep.children())):
+        time.sleep(0.01)
+        assert victim.poll() is None
+    children = sweep.children(recursive=True)
+    victim.send_signal(signal.SIGKILL)
+    victim.wait()
+    _, alive = psutil.wait_procs(children, timeout=60)
+    assert alive == []
+    assert not list(tmp_path.rglob("*.nc"))
 
 
 def test_what_the_first_job_lacks_is_stacked_with_its_own_dimensions():
