@@ -1,4 +1,4 @@
-"""Picture of a recording, without a screen: screenshot.py RECORDING PNG TIME.
+"""Picture of a recording, without a screen: screenshot.py RECORDING PNG SIM_TIME.
 
 Needs a Vulkan driver; Debian's mesa-vulkan-drivers draws on the processor.
 """
@@ -6,7 +6,9 @@ Needs a Vulkan driver; Debian's mesa-vulkan-drivers draws on the processor.
 import socket
 import subprocess
 import sys
+import tempfile
 import time
+from argparse import ArgumentParser
 from pathlib import Path
 
 import matplotlib.image as images
@@ -20,41 +22,68 @@ _PATIENCE = 60.0  # s
 _SETTLING = 6.0  # s that the viewer takes to load and to draw
 
 
-def main(recording: Path, picture: Path, moment: float) -> None:
-    """Write what the viewer shows at `moment` [s]; exit 1 where a view reports an error."""
+def main(recording: Path, picture: Path, sim_time: float) -> None:
+    """Write what the viewer shows at `sim_time` [s]; exit 1 where it or a view of it fails."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = [str(_VIEWER), "--headless", "--bind", "127.0.0.1", "--port", str(port)]
-    with subprocess.Popen([*command, "--window-size", _SIZE]) as viewer:
+    with (
+        tempfile.TemporaryFile("w+") as said,
+        subprocess.Popen(
+            [*command, "--window-size", _SIZE], stdout=said, stderr=subprocess.STDOUT
+        ) as viewer,
+    ):
         try:
-            client = _connect(port)
-            client.open(str(recording.absolute()))
-            time.sleep(_SETTLING)
-            client.set_time("sim_time", duration=moment, play_state="paused")
-            time.sleep(_SETTLING)
-            failed = [view for view in client.get_state().views if view.reports]
-            client.save_screenshot(str(picture.absolute()))
+            faults = _draw(_connect(viewer, port), recording, picture, sim_time)
+        except ConnectionError:
+            said.seek(0)
+            sys.exit(f"{said.read()}\n{recording}: the viewer failed; it needs a Vulkan driver")
         finally:
             viewer.terminate()
     images.imsave(picture, images.imread(picture)[_BAR:])
-    if failed:
-        sys.exit(f"{recording}: {failed[0].name}: {failed[0].reports[0]}")
+    if faults:
+        sys.exit(f"{recording}: {faults[0]}")
+    print(picture)
 
 
-def _connect(port: int) -> ViewerClient:
+def _draw(client: ViewerClient, recording: Path, picture: Path, sim_time: float) -> list[str]:
+    """What the views complain of."""
+    client.open(str(recording.absolute()))
+    time.sleep(_SETTLING)
+    client.set_time("sim_time", duration=sim_time, play_state="paused")
+    time.sleep(_SETTLING)
+    faults = [
+        f"{view.name}: {view.reports[0]}" for view in client.get_state().views if view.reports
+    ]
+    client.save_screenshot(str(picture.absolute()))
+    return faults
+
+
+def _connect(viewer: subprocess.Popen[bytes], port: int) -> ViewerClient:
     until = time.monotonic() + _PATIENCE
     while True:
         try:
             client = ViewerClient.connect(f"rerun+http://127.0.0.1:{port}/proxy")
             client.get_state()
         except ConnectionError:
-            if time.monotonic() > until:
+            if viewer.poll() is not None or time.monotonic() > until:
                 raise
             time.sleep(0.5)
         else:
             return client
 
 
+def _parser() -> ArgumentParser:
+    parser = ArgumentParser(description="Picture of a recording, without a screen.")
+    parser.add_argument("recording", type=Path, metavar="RECORDING", help="an .rrd file")
+    parser.add_argument("picture", type=Path, metavar="PNG", help="file to write")
+    parser.add_argument("sim_time", type=float, metavar="SIM_TIME", help="moment, sim_time in s")
+    return parser
+
+
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), Path(sys.argv[2]), float(sys.argv[3]))
+    typed = _parser().parse_args()
+    if not typed.recording.is_file():
+        _parser().error(f"{typed.recording}: no such file; squat task=replay makes one")
+    main(typed.recording, typed.picture, typed.sim_time)

@@ -1,0 +1,33 @@
+"""The picture of a recording: what is typed, and a viewer that cannot draw."""
+
+import subprocess
+import sys
+
+import pytest
+
+from workflows import screenshot
+
+
+def test_usage_tells_that_the_moment_is_sim_time_in_seconds(root, tmp_path):
+    command = [sys.executable, str(root / "workflows/screenshot.py")]
+    shown = subprocess.run([*command, "--help"], capture_output=True, text=True, check=True)
+    assert "RECORDING PNG SIM_TIME" in shown.stdout
+    assert "sim_time in s" in shown.stdout
+    absent = [*command, "no.rrd", "out.png", "8"]
+    done = subprocess.run(absent, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode == 2
+    assert "no.rrd: no such file; squat task=replay makes one" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_the_viewer_says_is_shown_only_where_it_fails(tmp_path, monkeypatch, capfd):
+    viewer = tmp_path / "viewer"
+    viewer.write_text("#!/bin/sh\necho chatter\necho no driver >&2\nexit 3\n")
+    viewer.chmod(0o755)
+    monkeypatch.setattr(screenshot, "_VIEWER", viewer)
+    with pytest.raises(SystemExit) as caught:
+        screenshot.main(tmp_path / "run.rrd", tmp_path / "out.png", 8.0)
+    assert str(caught.value).startswith("chatter\nno driver\n")
+    assert str(caught.value).endswith("run.rrd: the viewer failed; it needs a Vulkan driver")
+    assert capfd.readouterr() == ("", "")
+    assert not (tmp_path / "out.png").exists()
