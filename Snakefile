@@ -15,6 +15,8 @@ RESULTS = config.get("results", "results")
 CASES = config.get("cases", "paper")
 # Of jobs that spread over the cores: small ones are done before the others would have made room.
 CORES = workflow.cores if CASES == "paper" else 1
+# Meshes of the jobs whose cases do not choose their own.
+ACCURACY = "default" if CASES == "paper" else "coarse"
 
 
 wildcard_constraints:

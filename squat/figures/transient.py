@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from squat.errors import InputError
 from squat.figures.style import BLUE, GREEN, ORANGE, RED, single
-from squat.stability.equilibria import keel_pressure
+from squat.stability.keel import keel_pressure
 
 
 def fig11(*runs: xr.Dataset) -> Figure:

@@ -11,7 +11,7 @@ from squat.replay.panels import Place, panel
 from squat.replay.recorder import Recorder
 from squat.replay.runs import Run
 from squat.replay.style import ORANGE, RED, SKY, run_color
-from squat.stability.equilibria import keel_pressure
+from squat.stability.keel import keel_pressure
 
 _SEEN = (0.05, 0.95)  # shares of the values between which the axes lie: corners are singular
 

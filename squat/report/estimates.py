@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from squat import records
 from squat.records.stability_kinds import CONVERGENCE
-from squat.stability.summary import measured
+from squat.stability.digits import measured
 
 _UNITS = {"1": "", "m s-1": "m/s"}
 

@@ -17,6 +17,7 @@ from scipy.optimize import brentq
 
 from squat.channel import Channel, Hull, check_afloat
 from squat.quantities import Vector
+from squat.stability.keel import keel_pressure
 from squat.water import Water
 
 
@@ -34,15 +35,6 @@ class Fold(NamedTuple):
     speed: float
     width: float
     sinkage: float
-
-
-def keel_pressure(density: float, speed: ArrayLike, depth: float, clearance: ArrayLike) -> Vector:
-    """Pressure under the hull less hydrostatic [Pa], uniform in Eq. (27), elementwise.
-
-    `speed` V [m/s] far away, `clearance` H - T + w [m] under the keel, `depth` H [m].
-    """
-    contraction = (depth / np.asarray(clearance, float)) ** 2
-    return np.asarray(density * np.asarray(speed, float) ** 2 / 2 * (1 - contraction))
 
 
 @dataclass(frozen=True)

@@ -5,18 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from squat.stability.case import LimitsCase
-
-_MOST_DIGITS = 9
-
-
-def measured(value: float, error: float, unit: str) -> str:
-    """`value` with two digits of its `error`, or what digits a number without one deserves."""
-    if not math.isfinite(value):
-        return "none"
-    if not math.isfinite(error) or error <= 0:
-        return f"{value:.6g} {unit}"
-    digits = min(max(0, 1 - math.floor(math.log10(error))), _MOST_DIGITS)
-    return f"{value:.{digits}f} +- {error:.1e} {unit}"
+from squat.stability.digits import measured
 
 
 def summary(case: LimitsCase, data: Mapping[str, Any]) -> str:

@@ -11,9 +11,9 @@ from squat.channel import Channel, Rectangle
 from squat.errors import InputError
 from squat.figures import stability as figures
 from squat.stability import limits, limits_map, portrait
+from squat.stability.digits import measured
 from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.formulas import FORMULAS, Particulars
-from squat.stability.summary import measured
 from squat.stability.validity import warnings
 from squat.water import Water
 

@@ -1,5 +1,5 @@
 # Sections 3.2 and 3.5: added mass. Tables 4 and 5 are one rule that runs its cells over the cores.
-SUFFIX = "" if CASES == "paper" else f"_{CASES} accuracy=study"
+SUFFIX = "" if CASES == "paper" else f"_{CASES}"
 HULLS = {
     "table6": "",
     "fig7": "hull=fig7 channel=fig7",
@@ -18,12 +18,15 @@ rule inertia:
     threads: CORES
     params:
         cases=lambda wildcards: f"cases/inertia@cells={wildcards.table}{SUFFIX}",
+        accuracy=ACCURACY,
         config=lambda wildcards: configured(
             "inertia",
-            *f"cases/inertia@cells={wildcards.table}{SUFFIX}".split(),
+            f"cases/inertia@cells={wildcards.table}{SUFFIX}",
+            f"accuracy={ACCURACY}",
         ),
     shell:
-        "squat task=inertia {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "LOKY_MAX_CPU_COUNT={threads} squat task=inertia {params.cases} accuracy={params.accuracy}"
+        " 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule added_mass:

@@ -13,7 +13,7 @@ rule iterations:
         cases=f"cases/piston@cells={CASES}",
         config=configured("iterations", f"cases/piston@cells={CASES}"),
     shell:
-        "squat task=iterations {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "LOKY_MAX_CPU_COUNT={threads} squat task=iterations {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 SINGLE = cases("piston_runs", CASES)

@@ -13,4 +13,4 @@ rule race:
         cases=f"cases/race@cells={CASES}",
         config=configured("race", f"cases/race@cells={CASES}"),
     shell:
-        "squat task=race {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "LOKY_MAX_CPU_COUNT={threads} squat task=race {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"

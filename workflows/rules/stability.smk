@@ -25,9 +25,10 @@ rule limits:
     benchmark:
         f"{RESULTS}/benchmarks/limits_table.tsv"
     params:
-        config=configured("limits"),
+        accuracy=ACCURACY,
+        config=configured("limits", f"accuracy={ACCURACY}"),
     shell:
-        "squat task=limits 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=limits accuracy={params.accuracy} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule limits_map:
@@ -42,7 +43,7 @@ rule limits_map:
         cases=f"cases/limits@_global_={CASES}",
         config=configured("limits_map", f"cases/limits@_global_={CASES}"),
     shell:
-        "squat task=limits_map {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "LOKY_MAX_CPU_COUNT={threads} squat task=limits_map {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule uneven_bottom:
@@ -57,7 +58,7 @@ rule uneven_bottom:
         cases=f"cases/uneven_bottom@_global_={CASES}",
         config=configured("uneven_bottom", f"cases/uneven_bottom@_global_={CASES}"),
     shell:
-        "squat task=uneven_bottom {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "LOKY_MAX_CPU_COUNT={threads} squat task=uneven_bottom {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule hull_shapes:
@@ -72,7 +73,7 @@ rule hull_shapes:
         cases=f"cases/hull_shapes@_global_={CASES}",
         config=configured("hull_shapes", f"cases/hull_shapes@_global_={CASES}"),
     shell:
-        "squat task=hull_shapes {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "LOKY_MAX_CPU_COUNT={threads} squat task=hull_shapes {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule convergence:
