@@ -17,7 +17,9 @@ def _loads(prefix: str, dims: tuple[str, ...], where: str) -> dict[str, Variable
         text = f"{what}, {where}"
         found |= {
             f"{prefix}{name}": Variable(dims, units, f"{text}, 2D, extrapolated"),
-            f"{prefix}{name}_error": Variable(dims, units, f"estimated error of {prefix}{name}"),
+            f"{prefix}{name}_error": Variable(
+                dims, units, f"estimated error of {prefix}{name}; NaN: not known"
+            ),
             f"{prefix}{name}_1d": Variable(dims, units, f"{text}, 1D with the local depth"),
             f"{prefix}{name}_complete": Variable(
                 dims, units, f"{text}, 1D with ends and curvature; NaN but for boxes"
@@ -42,7 +44,9 @@ UNEVEN_BOTTOM = Kind(
         **_loads("", _RAMP, "ramp at that place"),
         **_loads("slender_", _SLENDER, "ramp of half its length"),
         "squat_speed": Variable(_RISE, "m s-1", "2D squat speed of the level ship, extrapolated"),
-        "squat_speed_error": Variable(_RISE, "m s-1", "estimated error of squat_speed"),
+        "squat_speed_error": Variable(
+            _RISE, "m s-1", "estimated error of squat_speed; NaN: not known"
+        ),
         "squat_sinkage": Variable(_RISE, "m", "heave at the 2D squat speed"),
         "squat_speed_1d": Variable(_RISE, "m s-1", "squat speed, 1D with the local depth"),
         "squat_sinkage_1d": Variable(_RISE, "m", "heave at squat_speed_1d"),

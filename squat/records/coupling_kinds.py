@@ -16,20 +16,34 @@ COUPLED = Kind(
         "position": Variable(_MODES, "m", "position q; rad where a mode turns"),
         "velocity": Variable(_MODES, "m s-1", "velocity q'"),
         "acceleration": Variable(_MODES, "m s-2", "acceleration q''"),
-        "fluid_force": Variable(_MODES, "N", "force of the fluid in the accepted iterate"),
-        "iterations": Variable(_TIME, "1", "structure solves of the step"),
-        "contraction": Variable(_TIME, "1", "measured contraction factor of the iteration"),
-        "residual": Variable(("time", "iteration"), "m", "|q^{k+1} - q^k| of every iteration"),
-        "failed_residual": Variable(
-            ("failed_iteration",), "m", "residuals of the step that did not converge"
+        "fluid_force": Variable(
+            _MODES, "N", "force of the fluid in the accepted iterate; NaN: not asked"
         ),
-        "failed_contraction": Variable((), "1", "contraction of the step that did not converge"),
+        "iterations": Variable(_TIME, "1", "structure solves of the step"),
+        "contraction": Variable(
+            _TIME, "1", "measured contraction factor of the iteration; NaN: too few iterations"
+        ),
+        "residual": Variable(
+            ("time", "iteration"), "m", "|q^{k+1} - q^k| of every iteration; NaN: fewer were needed"
+        ),
+        "failed_residual": Variable(
+            ("failed_iteration",),
+            "m",
+            "residuals of the step that did not converge; NaN: out of reach; inf: overflow",
+        ),
+        "failed_contraction": Variable(
+            (), "1", "contraction of the step that did not converge; NaN: too few"
+        ),
         "effective_added_mass": Variable(
-            ("mode_i", "mode_j"), "kg", "-dF/dq'' of the fluid, estimated from the first iterates"
+            ("mode_i", "mode_j"),
+            "kg",
+            "-dF/dq'' of the fluid, estimated from the first iterates; NaN: not estimated",
         ),
         "added_mass": Variable(("mode_i", "mode_j"), "kg", "m_add of the scheme"),
         "predicted_contraction": Variable(
-            (), "1", "G from the estimate; of n modes its eigenvalue of greatest modulus"
+            (),
+            "1",
+            "G from the estimate; of n modes the eigenvalue of greatest modulus; NaN: none",
         ),
         "time_step": Variable((), "s", "time step"),
     },
@@ -67,14 +81,20 @@ RACE = Kind(
         ),
         "status": Variable(_RACED, "1", "how the run ended"),
         "difference": Variable(
-            _RACED, "1", "greatest distance from the monolithic history, over the displacement"
+            _RACED,
+            "1",
+            "distance from the monolithic history, over the displacement; NaN: not converged",
         ),
         "contraction": Variable(
-            (*_HEAT, "scheme"), "1", "measured factor of the first step, without acceleration"
+            (*_HEAT, "scheme"),
+            "1",
+            "measured factor of the first step, without acceleration; NaN: too few iterations",
         ),
         "predicted_contraction": Variable((*_HEAT, "scheme"), "1", "G of the first step"),
         "factor_iterations": Variable(
-            ("problem", "factor", "accelerator"), "1", "structure solves a step with that m_add"
+            ("problem", "factor", "accelerator"),
+            "1",
+            "structure solves a step with that m_add; NaN unless all steps converged",
         ),
         "factor_predicted_contraction": Variable(("problem", "factor"), "1", "G with that m_add"),
     },

@@ -24,7 +24,11 @@ STABILITY_MAP = Kind(
         "barrier": Variable(
             _SPEED, "m", "unstable equilibrium, or grounding where that is higher; NaN: no well"
         ),
-        "turn": Variable(_SPEED, "m", "highest safe w(0), of the same energy as the barrier"),
+        "turn": Variable(
+            _SPEED,
+            "m",
+            "highest safe w(0), of the same energy as the barrier; NaN: none, or above the model",
+        ),
         "edge_current": Variable(_EDGE, "m s-1", "currents that close in on the 2D squat speed"),
         "edge_barrier": Variable(_EDGE, "m", "barrier at these"),
         "edge_turn": Variable(_EDGE, "m", "turn at these; NaN: beyond the model"),

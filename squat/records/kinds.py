@@ -25,10 +25,16 @@ PISTON = Kind(
         "kinetic_energy": Variable(_TIME, "J", "kinetic energy of piston and water"),
         "potential_energy": Variable(_TIME, "J", "potential energy of piston and water"),
         "iterations": Variable(_TIME, "1", "structure solves of the step"),
-        "contraction": Variable(_TIME, "1", "measured contraction factor of the iteration"),
-        "residual": Variable(("time", "iteration"), "m", "|w^{k+1} - w^k| of every iteration"),
+        "contraction": Variable(
+            _TIME, "1", "measured contraction factor of the iteration; NaN: too few iterations"
+        ),
+        "residual": Variable(
+            ("time", "iteration"), "m", "|w^{k+1} - w^k| of every iteration; NaN: fewer were needed"
+        ),
         "failed_residual": Variable(
-            ("failed_iteration",), "m", "residuals of the step that did not converge"
+            ("failed_iteration",),
+            "m",
+            "residuals of the step that did not converge; NaN: out of reach; inf: overflow",
         ),
         "predicted_contraction": Variable((), "1", "amplification factor G in closed form"),
         "time_step": Variable((), "s", "time step"),
@@ -50,21 +56,29 @@ ITERATIONS = Kind(
         "density_added_mass_ratio": Variable(
             ("density_added_mass_ratio",), "1", "m_add/m_f in the sweep of the density"
         ),
-        "mean_iterations": Variable(_CELL, "1", "structure solves, mean over the steps"),
-        "predicted_iterations": Variable(_CELL, "1", "the same predicted from G and Eq. (5)"),
-        "contraction": Variable(_CELL, "1", "measured contraction factor, first step"),
+        "mean_iterations": Variable(
+            _CELL, "1", "structure solves, mean over the steps; NaN: no step converged"
+        ),
+        "predicted_iterations": Variable(
+            _CELL, "1", "the same predicted from G and Eq. (5); inf: never"
+        ),
+        "contraction": Variable(
+            _CELL, "1", "measured contraction factor, first step; NaN: too few iterations"
+        ),
         "predicted_contraction": Variable(_CELL, "1", "amplification factor G"),
         "steps": Variable(_CELL, "1", "converged time steps"),
         "status": Variable(_CELL, "1", "how the run ended"),
         "density_mean_iterations": Variable(
-            ("density_added_mass_ratio", "density"), "1", "structure solves, mean over the steps"
+            ("density_added_mass_ratio", "density"),
+            "1",
+            "structure solves, mean over the steps; NaN: no step converged",
         ),
         "density_predicted_contraction": Variable(
             ("density_added_mass_ratio", "density"), "1", "amplification factor G"
         ),
         "curve_mass_ratio": Variable(("curve_mass_ratio",), "1", "m_f/m of the predicted curves"),
         "curve_iterations": Variable(
-            ("added_mass_ratio", "curve_mass_ratio"), "1", "predicted mean iterations"
+            ("added_mass_ratio", "curve_mass_ratio"), "1", "predicted mean iterations; inf: never"
         ),
         "integrator": Variable(("integrator",), "1", "time integrator"),
         "observed_order": Variable(
@@ -79,15 +93,27 @@ EQUILIBRIA = Kind(
     "Squat equilibria of the one-dimensional model, Eq. (27)",
     {
         "speed": Variable(("speed",), "m s-1", "current V_inf relative to the ship"),
-        "stable": Variable(("speed",), "m", "upper root of Eq. (27): stable sinkage w"),
-        "unstable": Variable(("speed",), "m", "lower root of Eq. (27): unstable sinkage w"),
-        "unphysical": Variable(("speed",), "m", "third root of Eq. (27), below the bottom"),
-        "stable_stiffness": Variable(("speed",), "N m-2", "restoring slope -dF/dw at `stable`"),
-        "unstable_stiffness": Variable(("speed",), "N m-2", "restoring slope at `unstable`"),
-        "period": Variable(("speed",), "s", "linear heave period about `stable`"),
+        "stable": Variable(("speed",), "m", "upper root of Eq. (27): stable sinkage w; NaN: none"),
+        "unstable": Variable(
+            ("speed",), "m", "lower root of Eq. (27): unstable sinkage w; NaN: none"
+        ),
+        "unphysical": Variable(
+            ("speed",), "m", "third root of Eq. (27), below the bottom; NaN: none"
+        ),
+        "stable_stiffness": Variable(
+            ("speed",), "N m-2", "restoring slope -dF/dw at `stable`; NaN: none"
+        ),
+        "unstable_stiffness": Variable(
+            ("speed",), "N m-2", "restoring slope at `unstable`; NaN: none; -inf: on the bottom"
+        ),
+        "period": Variable(("speed",), "s", "linear heave period about `stable`; NaN: none"),
         "case_speed": Variable(("case_speed",), "m s-1", "speeds of Table 7"),
-        "case_stable": Variable(("case_speed",), "m", "upper root at the speeds of Table 7"),
-        "case_unstable": Variable(("case_speed",), "m", "lower root at the speeds of Table 7"),
+        "case_stable": Variable(
+            ("case_speed",), "m", "upper root at the speeds of Table 7; NaN: none"
+        ),
+        "case_unstable": Variable(
+            ("case_speed",), "m", "lower root at the speeds of Table 7; NaN: none"
+        ),
         "squat_speed": Variable((), "m s-1", "speed at which both roots merge"),
         "squat_sinkage": Variable((), "m", "the double root at the squat speed"),
     },
@@ -175,7 +201,7 @@ INERTIA = Kind(
     "Inertia coefficient of heave of rectangles, Eq. (28)",
     {
         "reading": Variable(("cell",), "1", "depth: H fixed; draft: T fixed; deep: H/T infinite"),
-        "depth_over_draft": Variable(("cell",), "1", "H/T"),
+        "depth_over_draft": Variable(("cell",), "1", "H/T; inf: deep water"),
         "a_over_T": Variable(("cell",), "1", "a/T, half length over draft"),
         "inertia_coefficient": Variable(("cell",), "1", "i, extrapolated"),
         "inertia_coefficient_error": Variable(("cell",), "1", "absolute error of i"),
@@ -232,13 +258,23 @@ TRANSIENT = Kind(
         ),
         "clearance": Variable(_TIME, "m", "least height of the hull over the bottom"),
         "iterations": Variable(_TIME, "1", "structure solves of the step"),
-        "contraction": Variable(_TIME, "1", "measured contraction factor of the iteration"),
-        "predicted_contraction": Variable(_TIME, "1", "amplification factor G at this position"),
-        "residual": Variable(("time", "iteration"), "m", "|w^{k+1} - w^k| of every iteration"),
-        "failed_residual": Variable(
-            ("failed_iteration",), "m", "residuals of the step that did not converge"
+        "contraction": Variable(
+            _TIME, "1", "measured contraction factor of the iteration; NaN: too few iterations"
         ),
-        "failed_contraction": Variable((), "1", "contraction of the step that did not converge"),
+        "predicted_contraction": Variable(
+            _TIME, "1", "amplification factor G at this position; NaN: no scheme"
+        ),
+        "residual": Variable(
+            ("time", "iteration"), "m", "|w^{k+1} - w^k| of every iteration; NaN: fewer were needed"
+        ),
+        "failed_residual": Variable(
+            ("failed_iteration",),
+            "m",
+            "residuals of the step that did not converge; NaN: out of reach; inf: overflow",
+        ),
+        "failed_contraction": Variable(
+            (), "1", "contraction of the step that did not converge; NaN: too few"
+        ),
         "kinetic_energy": Variable(_TIME, "J m-1", "E_c = m w'^2/2 of the ship"),
         "potential_energy": Variable(_TIME, "J m-1", "E_p = m g (T + w) of the ship"),
         "fluid_work": Variable(_TIME, "J m-1", "W = -int w' F dt, work of the ship on the water"),

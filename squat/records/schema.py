@@ -1,23 +1,38 @@
 """What a kind of dataset holds: names, dimensions, units."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from squat.errors import InputError
+
+_EXPLAINED = re.compile(r"; (NaN|-?inf)\b")
 
 
 @dataclass(frozen=True)
 class Variable:
-    """One variable of a dataset: its dimensions, UDUNITS string and CF long name."""
+    """One variable of a dataset: its dimensions, UDUNITS string and CF long name.
+
+    What may be not finite says so in its long name: "; NaN: none", "; inf: deep water".
+    """
 
     dims: tuple[str, ...]
     units: str
     long_name: str
     required: bool = True
+
+    def unexplained(self, values: NDArray[Any]) -> float | None:
+        """First of `values` that is not finite and that the long name does not explain."""
+        if values.dtype.kind != "f":
+            return None
+        explained = [word.lower() for word in _EXPLAINED.findall(self.long_name)]
+        strange = values[~np.isfinite(values)].tolist()
+        return next((value for value in strange if str(value) not in explained), None)
 
 
 @dataclass(frozen=True)
@@ -64,7 +79,21 @@ class Kind:
 def build(
     kind: Kind, data: Mapping[str, Any], attributes: Mapping[str, Any] | None = None
 ) -> xr.Dataset:
-    """Dataset of `kind` from plain arrays: dimensions, units and names come from the kind."""
+    """Dataset of `kind` from plain arrays: dimensions, units and names come from the kind.
+
+    Raises
+    ------
+    InputError
+        Naming a variable that is not finite where its long name does not say what that means:
+        a number that cannot be explained is not written.
+    """
+    for name, values in data.items():
+        strange = kind.variables[name].unexplained(np.asarray(values))
+        if strange is not None:
+            raise InputError(
+                f"{kind.name}: {name}={strange} is no result, and nothing is written; "
+                "give a milder case, and report this one"
+            )
     variables = {
         name: xr.Variable(
             kind.variables[name].dims,

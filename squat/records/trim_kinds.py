@@ -41,9 +41,13 @@ TRIM = Kind(
         "dynamic_limit": Variable(
             (), "m s-1", "least current that loses the start within the runs; NaN: none"
         ),
-        "dynamic_limit_error": Variable((), "m s-1", "half the bracket of dynamic_limit"),
-        "greatest_trim": Variable((), "rad", "greatest pitch of the last run that was not lost"),
-        "drift": Variable((), "1", "greatest change of energy in it over m g T"),
+        "dynamic_limit_error": Variable(
+            (), "m s-1", "half the bracket of dynamic_limit; NaN: none"
+        ),
+        "greatest_trim": Variable(
+            (), "rad", "greatest pitch of the last run that was not lost; NaN: none"
+        ),
+        "drift": Variable((), "1", "greatest change of energy in it over m g T; NaN: none"),
         "start_heave": Variable((), "m", "w(0) of the start"),
         "start_pitch": Variable((), "rad", "pitch of the start, positive bow down"),
     },

@@ -43,6 +43,16 @@ def test_cf_and_provenance_attributes(path):
         assert variable.attrs["long_name"]
 
 
+@pytest.mark.parametrize("strange", [np.nan, np.inf, -np.inf])
+def test_a_number_that_is_not_explained_is_not_written(dataset, strange):
+    data = {name: variable.values for name, variable in dataset.variables.items()}
+    data["contraction"] = np.full_like(data["contraction"], np.nan)
+    build(PISTON, data, {"status": "completed"})  # its long name says what NaN means, there
+    data["velocity"][3] = strange
+    with pytest.raises(InputError, match=f"piston: velocity={strange} is no result"):
+        build(PISTON, data, {"status": "completed"})
+
+
 def test_every_kind_gives_units_and_long_names():
     for kind in KINDS.values():
         for name, variable in kind.variables.items():
