@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Annotated
 
 import matplotlib as mpl
-import numpy as np
 import pandas as pd
 from h5netcdf import File
 from matplotlib.axes import Axes
@@ -16,13 +15,12 @@ from pydantic.dataclasses import dataclass
 from squat import catalogue, records
 from squat.errors import InputError
 from squat.figures.files import save
+from squat.figures.labels import named, telling
 from squat.figures.style import CYCLE, SETTINGS, single
 from squat.quantities import STRICT
 
 _log = logging.getLogger(__name__)
 _USUAL = {"transient": "heave", "piston": "position"}
-_LABELS = (".name", ".shape")
-_LAST = 99  # more dots than any key has
 _LINE = 0.17  # in, height of a line of the legend
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
@@ -117,57 +115,26 @@ def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> 
 
 def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
     """A headline figure over a key; a line for each combination of the other keys that vary."""
-    keys = [name for name in _keys(table) if name not in (variable, over)]
+    keys = [name for name in telling(table) if name not in (variable, over)]
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_prop_cycle(CYCLE)
     for values, group in groups:
         ordered = group.sort_values(over)
-        label = _named(dict(zip(keys, values, strict=True)))
+        label = named(dict(zip(keys, values, strict=True)))
         axes.plot(ordered[over], ordered[variable], marker="o", ms=4, label=label)
     axes.set_xlabel(over)
     axes.set_ylabel(variable)
 
 
-def _keys(table: pd.DataFrame) -> list[str]:
-    """The fewest configured keys that tell apart what all of them do.
-
-    A key that names a choice comes before what it stands for, and the choice before its parts.
-    """
-    kept: list[str] = []
-    groups = 1
-    order = sorted(catalogue.varying(table), key=lambda n: n.count(".") if _labels(n) else _LAST)
-    for name in order:
-        if name.startswith(catalogue.RESULT):
-            continue
-        finer = len(table[[*kept, name]].drop_duplicates())
-        if finer > groups:
-            kept, groups = [*kept, name], finer
-    return kept
-
-
-def _labels(name: str) -> bool:
-    return name.endswith(_LABELS)
-
-
 def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
     """Files with their labels, in the order of the keys that vary."""
-    keys = _keys(table)
+    keys = telling(table)
     several = len(table["status"].drop_duplicates()) > 1
     labelled = []
     for row in (table.sort_values(keys) if keys else table).to_dict("records"):
-        label = _named({key: row[key] for key in keys}) or Path(row["file"]).stem
+        label = named({key: row[key] for key in keys}) or Path(row["file"]).stem
         labelled.append((row["file"], f"{label}: {row['status']}" if several else label))
     return labelled
-
-
-def _named(values: dict[str, object]) -> str:
-    """Short names of keys with their values, missing ones left out."""
-    return ", ".join(
-        f"{(key.rpartition('.')[0] if _labels(key) else key).rpartition('.')[2]} = "
-        + (f"{value:g}" if isinstance(value, float) else str(value))
-        for key, value in values.items()
-        if not (isinstance(value, float) and np.isnan(value))
-    )
 
 
 def _axis(name: str, units: str) -> str:

@@ -1,36 +1,66 @@
 """Figures 11 to 13: the coupled runs."""
 
 import json
+from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from squat.errors import InputError
-from squat.figures.style import BLUE, GREEN, ORANGE, RED, single
+from squat.figures.labels import of_ships
+from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
 from squat.stability.keel import keel_pressure
+
+_FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
 
 def fig11(*runs: xr.Dataset) -> Figure:
-    """Heave with both roots of (27) dashed, beside the iterations of every step."""
-    figure = Figure(figsize=(9.0, 2.3 * len(runs) + 0.4), layout="constrained")
-    panels = figure.subplots(len(runs), 2, squeeze=False)
-    for (left, right), run in zip(panels, runs, strict=True):
-        left.plot(run["phase"], run["heave"], color=BLUE, label="heave $w$")
-        for name, color in (("stable", GREEN), ("unstable", RED)):
-            root = float(run[f"{name}_root"])
-            left.axhline(root, color=color, ls="--", lw=1, label=f"{name} root, Eq. (27)")
-        left.set_title(f"$V_\\infty$ = {run.attrs['current']:g} m/s: {run.attrs['status']}")
-        left.set_ylabel("$w$ [m]")
-        right.plot(run["phase"][1:], run["iterations"][1:], ".", ms=4, color=BLUE)
-        right.set_ylabel("iterations [-]")
-        right.set_ylim(0, 1.1 * float(run["iterations"].max()) + 1)
-        for axes in (left, right):
-            axes.set_xlim(0, 6 * np.pi)
-    for axes in panels[-1]:
-        axes.set_xlabel("$\\omega t$ [-]")
-    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    """Heave with both roots of (27) dashed, and pitch where it is free, beside the iterations."""
+    plan: list[Any] = [
+        [f"{name} {n}", f"iterations {n}"] for n, run in enumerate(runs) for name in _free(run)
+    ]
+    figure = Figure(figsize=(9.0, 2.3 * len(plan) + 0.4), layout="constrained")
+    panels = figure.subplot_mosaic(plan)
+    for n, (run, label) in enumerate(zip(runs, of_ships(runs), strict=True)):
+        _heave(panels[f"heave {n}"], run)
+        panels[f"heave {n}"].set_title(f"{label}: {run.attrs['status']}", loc="left")
+        _iterations(panels[f"iterations {n}"], run)
+        if f"pitch {n}" in panels:
+            panels[f"pitch {n}"].plot(run["phase"], np.rad2deg(run["pitch"]), color=PURPLE)
+            panels[f"pitch {n}"].set_ylabel("pitch, bow down [°]")
+    for name, axes in panels.items():
+        axes.set_xlim(0, 6 * np.pi)
+        if name in plan[-1]:
+            axes.set_xlabel("$\\omega t$ [-]")
+    handles = panels["heave 0"].get_legend_handles_labels()
+    figure.legend(*handles, loc="outside upper center", ncols=3)
     return figure
+
+
+def _free(run: xr.Dataset) -> list[str]:
+    return ["heave", "pitch"] if "pitch" in run.attrs["modes"].split() else ["heave"]
+
+
+def _heave(axes: Axes, run: xr.Dataset) -> None:
+    start = "o" if run.sizes["time"] == 1 else None
+    axes.plot(run["phase"], run["heave"], marker=start, color=BLUE, label="heave $w$")
+    for name, color in (("stable", GREEN), ("unstable", RED)):
+        root = float(run[f"{name}_root"])
+        axes.axhline(root, color=color, ls="--", lw=1, label=f"{name} root, Eq. (27)")
+    axes.set_ylabel("$w$ [m]")
+
+
+def _iterations(axes: Axes, run: xr.Dataset) -> None:
+    axes.set_ylabel("iterations [-]")
+    if run.sizes["time"] == 1:
+        said = f"no step was accepted:\nthe first {_FAILED.get(run.attrs['status'], 'failed')}"
+        axes.text(0.5, 0.5, said, transform=axes.transAxes, ha="center", va="center")
+        axes.set_yticks([])
+        return
+    axes.plot(run["phase"][1:], run["iterations"][1:], ".", ms=4, color=BLUE)
+    axes.set_ylim(0, 1.1 * float(run["iterations"].max()) + 1)
 
 
 def fig12(run: xr.Dataset) -> Figure:
@@ -71,15 +101,14 @@ def fig13(*runs: xr.Dataset) -> Figure:
     figure, axes = single(7.4, 4.6)
     labels = {"kinetic_energy": "$E_c$", "potential_energy": "$E_p$", "fluid_work": "$W$"}
     colors = (RED, BLUE, GREEN)
-    for run, style in zip(runs, ("-", "--", ":"), strict=False):
+    for run, ship, style in zip(runs, of_ships(runs), ("-", "--", ":"), strict=False):
         initial = float(run["kinetic_energy"][0] + run["potential_energy"][0])
         total = np.zeros(run.sizes["time"])
-        speed = f"$V_\\infty$ = {run.attrs['current']:g} m/s"
         for (name, label), color in zip(labels.items(), colors, strict=True):
             part = run[name].values / initial
             total += part
-            axes.plot(run["phase"], part, style, color=color, label=f"{label}, {speed}")
-        axes.plot(run["phase"], total, style, color=ORANGE, label=f"sum, {speed}")
+            axes.plot(run["phase"], part, style, color=color, label=f"{label}, {ship}")
+        axes.plot(run["phase"], total, style, color=ORANGE, label=f"sum, {ship}")
     axes.set_xlabel("$\\omega t$ [-]")
     axes.set_ylabel("energy over $E_0$ [-]")
     figure.legend(loc="outside right upper", fontsize=8)

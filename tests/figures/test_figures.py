@@ -12,7 +12,8 @@ from squat.errors import InputError
 from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
 from squat.figures.energy import energy_audit
-from squat.figures.transient import fig12
+from squat.figures.labels import of_ships
+from squat.figures.transient import fig11, fig12
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 
@@ -74,3 +75,49 @@ def test_pressure_that_a_run_does_not_hold_is_not_drawn(case):
     run = transient.run(case("transient", *keys, "force=variational", "coupling=energy_momentum"))
     with pytest.raises(InputError, match="model=curves has no pressure"):
         fig12(run.dataset)
+
+
+@pytest.fixture(scope="module")
+def sailed(case, tmp_path_factory):
+    """The record of a short run."""
+    folder = tmp_path_factory.mktemp("sailed")
+
+    def run(*more):
+        keys = ["mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", *more]
+        path = folder / f"{len(list(folder.iterdir()))}.nc"
+        records.save(
+            transient.run(case("transient", *keys)).dataset, path, compose("transient", *keys), 0.0
+        )
+        return records.read(path)
+
+    return run
+
+
+def test_a_run_without_an_accepted_step_says_so(sailed):
+    run = sailed("current=3", "coupling=printed_standard")
+    assert run.sizes["time"] == 1
+    left, right = fig11(run).axes
+    assert left.get_title(loc="left") == "$V_\\infty$ = 3 m/s: diverged"
+    assert [text.get_text() for text in right.texts] == [
+        "no step was accepted:\nthe first diverged"
+    ]
+
+
+def test_pitch_has_a_row_and_titles_tell_what_differs(sailed):
+    one, two = sailed("current=1"), sailed("current=2")
+    both = sailed("current=2", "modes=[heave,pitch]", "initial_pitch=0.001")
+    figure = fig11(one, two, both)
+    FigureCanvasAgg(figure).draw()
+    titles = [title for axes in figure.axes if (title := axes.get_title(loc="left"))]
+    assert titles == [
+        '$V_\\infty$ = 1 m/s, modes = ["heave"]: completed',
+        '$V_\\infty$ = 2 m/s, modes = ["heave"]: completed',
+        '$V_\\infty$ = 2 m/s, modes = ["heave", "pitch"]: completed',
+    ]
+    (pitch,) = [axes for axes in figure.axes if axes.get_ylabel().startswith("pitch")]
+    assert np.array_equal(pitch.lines[0].get_ydata(), np.rad2deg(both["pitch"]))
+    assert len(figure.axes) == 7
+    assert of_ships([one, two]) == ["$V_\\infty$ = 1 m/s", "$V_\\infty$ = 2 m/s"]
+    printed = sailed("current=2", "coupling=consistent_quasi_newton")
+    assert of_ships([two, printed]) == ["coupling = printed", "coupling = consistent_quasi_newton"]
+    assert of_ships([two]) == ["$V_\\infty$ = 2 m/s"]

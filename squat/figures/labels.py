@@ -1,0 +1,60 @@
+"""Names of several runs: what differs between them, and nothing else."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from squat import catalogue, records
+from squat.catalogue.flat import flatten
+
+_NAMES = (".name", ".shape")
+_LAST = 99  # more dots than any key has
+
+
+def telling(table: pd.DataFrame, *first: str) -> list[str]:
+    """The fewest configured keys that tell apart what all of them do.
+
+    A key that names a choice comes before what it stands for, and the choice before its parts;
+    before all come those that are asked for `first`.
+    """
+
+    def place(name: str) -> int:
+        return -1 if name in first else name.count(".") if _names(name) else _LAST
+
+    kept: list[str] = []
+    groups = 1
+    for name in sorted(catalogue.varying(table), key=place):
+        if name.startswith(catalogue.RESULT):
+            continue
+        finer = len(table[[*kept, name]].drop_duplicates())
+        if finer > groups:
+            kept, groups = [*kept, name], finer
+    return kept
+
+
+def named(values: Mapping[str, object]) -> str:
+    """Short names of keys with their values, missing ones left out."""
+    return ", ".join(
+        f"{(key.rpartition('.')[0] if _names(key) else key).rpartition('.')[2]} = "
+        + (f"{value:g}" if isinstance(value, float) else str(value))
+        for key, value in values.items()
+        if not (isinstance(value, float) and np.isnan(value))
+    )
+
+
+def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
+    """A label for each of the coupled `runs`: what differs, the current where nothing does."""
+    table = pd.DataFrame([flatten(records.config_of(run)) for run in runs])
+    keys = telling(table, "current") or ["current"]
+    labels = []
+    for row in table[keys].to_dict("records"):
+        speed = row.pop("current", None)
+        stream = "" if speed is None else f"$V_\\infty$ = {speed:g} m/s"
+        labels.append(", ".join(filter(None, [stream, named({str(k): v for k, v in row.items()})])))
+    return labels
+
+
+def _names(key: str) -> bool:
+    return key.endswith(_NAMES)
