@@ -14,8 +14,10 @@ from squat.analysis.lookup import Reader
 from squat.analysis.verdict import DIFFERS, INCONSISTENT, Verdict, difference, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
-from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS
+from squat.records.added_mass_kinds import ADDED_MASS, INERTIA
+from squat.records.piston_kinds import ITERATIONS
 from squat.records.schema import Kind
+from squat.records.stability_kinds import EQUILIBRIA
 
 Name = Literal[
     "table1", "table2", "table3", "table4", "table5", "table5_critical", "table6", "table7"

@@ -19,8 +19,10 @@ from squat.analysis.tables import TABLES
 from squat.analysis.verdict import Verdict, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
-from squat.records.kinds import ADDED_MASS, EQUILIBRIA, INERTIA, ITERATIONS, TRANSIENT
-from squat.records.stability_kinds import LIMITS
+from squat.records.added_mass_kinds import ADDED_MASS, INERTIA
+from squat.records.piston_kinds import ITERATIONS
+from squat.records.stability_kinds import EQUILIBRIA, LIMITS
+from squat.records.transient_kinds import TRANSIENT
 from squat.records.trim_kinds import TRIM
 
 COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]

@@ -27,20 +27,15 @@ from squat.figures.transient import fig11, fig12, fig13
 from squat.figures.trim import trim
 from squat.figures.uneven import uneven_bottom
 from squat.quantities import STRICT
+from squat.records.added_mass_kinds import ADDED_MASS, INERTIA, SENSITIVITY
 from squat.records.bottom_kinds import UNEVEN_BOTTOM
 from squat.records.coupling_kinds import RACE
 from squat.records.fleet_kinds import STABILITY_MAP
-from squat.records.kinds import (
-    ADDED_MASS,
-    EQUILIBRIA,
-    INERTIA,
-    ITERATIONS,
-    MESH,
-    SENSITIVITY,
-    TRANSIENT,
-)
+from squat.records.mesh_kinds import MESH
+from squat.records.piston_kinds import ITERATIONS
 from squat.records.schema import Kind
-from squat.records.stability_kinds import HULL_SHAPES, LIMITS_MAP, STABILITY
+from squat.records.stability_kinds import EQUILIBRIA, HULL_SHAPES, LIMITS_MAP, STABILITY
+from squat.records.transient_kinds import TRANSIENT
 from squat.records.trim_kinds import TRIM
 
 FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {

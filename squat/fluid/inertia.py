@@ -17,7 +17,7 @@ from squat.mesh.generate import generate
 from squat.progress import progress
 from squat.quantities import STRICT, Length, Positive
 from squat.records import build
-from squat.records.kinds import INERTIA
+from squat.records.added_mass_kinds import INERTIA
 
 Reading = Literal["depth", "draft"]
 Numbers = Annotated[tuple[Positive, ...], Field(min_length=1)]

@@ -15,7 +15,7 @@ from squat.mesh import MeshSize, submesh
 from squat.mesh.generate import generate
 from squat.quantities import STRICT
 from squat.records import build
-from squat.records.kinds import ADDED_MASS
+from squat.records.added_mass_kinds import ADDED_MASS
 from squat.water import Water
 
 

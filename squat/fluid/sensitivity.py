@@ -18,7 +18,7 @@ from squat.mesh.generate import generate
 from squat.progress import progress
 from squat.quantities import STRICT, Fraction
 from squat.records import build
-from squat.records.kinds import SENSITIVITY
+from squat.records.added_mass_kinds import SENSITIVITY
 
 _HEAVE = 1
 

@@ -12,7 +12,7 @@ from squat.mesh.quality import quality, smallest_angle
 from squat.mesh.submesh import BOUNDARIES, Submesh
 from squat.quantities import Vector
 from squat.records import build
-from squat.records.kinds import MESH
+from squat.records.mesh_kinds import MESH
 
 _TOPOLOGY = {
     "cf_role": "mesh_topology",

@@ -8,8 +8,8 @@ import xarray as xr
 from squat.coupling import Conserving, State, Step, march, repeated
 from squat.piston.case import PistonCase
 from squat.records import build
-from squat.records.kinds import PISTON
 from squat.records.padding import padded
+from squat.records.piston_kinds import PISTON
 
 
 def steps(case: PistonCase) -> list[Step]:

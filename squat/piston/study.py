@@ -18,7 +18,7 @@ from squat.piston.run import run, steps
 from squat.progress import progress
 from squat.quantities import STRICT, Count, NonNegative, Positive, Vector
 from squat.records import build
-from squat.records.kinds import ITERATIONS
+from squat.records.piston_kinds import ITERATIONS
 
 Ratios = Annotated[tuple[Positive, ...], Field(min_length=1)]
 

@@ -1,9 +1,41 @@
-"""Kinds of datasets about what the energies of ship and water imply."""
+"""Kinds of datasets about equilibria of the ship and what its energies imply."""
 
 from squat.records.schema import Kind, Variable
 
 _SPEED, _CASE = ("speed",), ("case_speed",)
 _LOOP = ("case_speed", "loop_point")
+
+EQUILIBRIA = Kind(
+    "equilibria",
+    1,
+    "Squat equilibria of the one-dimensional model, Eq. (27)",
+    {
+        "speed": Variable(("speed",), "m s-1", "current V_inf relative to the ship"),
+        "stable": Variable(("speed",), "m", "upper root of Eq. (27): stable sinkage w; NaN: none"),
+        "unstable": Variable(
+            ("speed",), "m", "lower root of Eq. (27): unstable sinkage w; NaN: none"
+        ),
+        "unphysical": Variable(
+            ("speed",), "m", "third root of Eq. (27), below the bottom; NaN: none"
+        ),
+        "stable_stiffness": Variable(
+            ("speed",), "N m-2", "restoring slope -dF/dw at `stable`; NaN: none"
+        ),
+        "unstable_stiffness": Variable(
+            ("speed",), "N m-2", "restoring slope at `unstable`; NaN: none; -inf: on the bottom"
+        ),
+        "period": Variable(("speed",), "s", "linear heave period about `stable`; NaN: none"),
+        "case_speed": Variable(("case_speed",), "m s-1", "speeds of Table 7"),
+        "case_stable": Variable(
+            ("case_speed",), "m", "upper root at the speeds of Table 7; NaN: none"
+        ),
+        "case_unstable": Variable(
+            ("case_speed",), "m", "lower root at the speeds of Table 7; NaN: none"
+        ),
+        "squat_speed": Variable((), "m s-1", "speed at which both roots merge"),
+        "squat_sinkage": Variable((), "m", "the double root at the squat speed"),
+    },
+)
 
 STABILITY = Kind(
     "stability",

@@ -12,7 +12,7 @@ from squat.errors import InputError
 from squat.mesh import MODES, Mesh
 from squat.mesh.ugrid import coarse_variables, from_dataset, submesh_from, to_dataset
 from squat.quantities import Vector
-from squat.records.kinds import REDUCED
+from squat.records.reduced_kinds import REDUCED
 from squat.reduced.box import Box, BoxSize
 from squat.reduced.fluid import ReducedFluid
 from squat.reduced.galerkin import Galerkin

@@ -8,7 +8,7 @@ from squat.fluid.ship import LOADING, about_gravity
 from squat.mesh import Mesh, submesh
 from squat.mesh.ugrid import from_dataset
 from squat.records import read_input
-from squat.records.kinds import MESH
+from squat.records.mesh_kinds import MESH
 from squat.reduced.case import ReducedCase
 from squat.reduced.greedy import Reduced, reduce
 from squat.reduced.record import FIELDS, HULL, fields_record, on_patch, to_record

@@ -13,7 +13,8 @@ from squat.errors import InputError
 from squat.piston import Piston
 from squat.piston.piston import Oscillator
 from squat.quantities import Vector
-from squat.records.kinds import PISTON, TRANSIENT
+from squat.records.piston_kinds import PISTON
+from squat.records.transient_kinds import TRANSIENT
 from squat.water import Water
 
 _SNAPSHOT = {

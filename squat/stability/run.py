@@ -10,7 +10,7 @@ from pydantic.dataclasses import dataclass
 from squat.channel import AnyHull, Channel
 from squat.quantities import STRICT, Count, NonNegative, Speed
 from squat.records import build
-from squat.records.kinds import EQUILIBRIA
+from squat.records.stability_kinds import EQUILIBRIA
 from squat.stability.equilibria import OneDimensionalModel
 from squat.water import Water
 

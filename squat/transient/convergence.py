@@ -32,7 +32,8 @@ from squat.stability.heave import HeaveSystem
 from squat.stability.orbits import orbit
 from squat.stability.portrait import highest_pair
 from squat.stability.sampling import Ship, Surface
-from squat.transient.case import CouplingChoice, TransientCase
+from squat.transient.case import TransientCase
+from squat.transient.options import CouplingChoice
 from squat.transient.run import run as transient
 
 _HEAVE = 1

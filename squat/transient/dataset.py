@@ -10,13 +10,14 @@ from squat.fluid.model import EnergyModel, Noted
 from squat.mesh import MODES
 from squat.quantities import Vector
 from squat.records import build
-from squat.records.kinds import TRANSIENT
+from squat.records.transient_kinds import TRANSIENT
 from squat.transient.audit import audit, energies
 from squat.transient.case import TransientCase
 from squat.transient.factors import predicted_contraction
 from squat.transient.history import Columns, History
+from squat.transient.inputs import load_roots
 from squat.transient.landscape import landscape
-from squat.transient.parts import Parts, curves, load_roots, ship_energy
+from squat.transient.parts import Parts, curves, ship_energy
 
 _FORCES = {"surge": "surge_force", "heave": "fluid_force", "pitch": "pitch_moment"}
 

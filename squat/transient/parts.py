@@ -1,13 +1,10 @@
-"""What a run needs before it starts: mesh, added mass, loop."""
+"""What a run needs before it starts, put together: energies, coupling, loop."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
-from squat import records
 from squat.coupling import (
     PREDICTORS,
     Conserving,
@@ -22,39 +19,23 @@ from squat.coupling import (
     standard,
 )
 from squat.dynamics import Motion, RigidBody
-from squat.errors import InputError
-from squat.fluid.accuracy import accurate
 from squat.fluid.curves import POINTS, Curves
 from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.heave import HeaveEnergy
 from squat.fluid.model import EnergyModel, FluidModel, forget
 from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES, Rate
-from squat.fluid.ship import (
-    LOADING,
-    about_another_point,
-    about_gravity,
-    check_stability,
-    rigid_body,
-)
-from squat.mesh import MODES, Mesh, PositionError, Submesh, submesh
-from squat.mesh.generate import generate
-from squat.mesh.ugrid import from_dataset
+from squat.fluid.ship import check_stability, rigid_body
+from squat.mesh import PositionError
 from squat.quantities import Vector
-from squat.records.kinds import ADDED_MASS, EQUILIBRIA, MESH, REDUCED
-from squat.reduced.fluid import ReducedFluid
-from squat.reduced.greedy import reduce
 from squat.reduced.heave import HeaveFluid
 from squat.reduced.hull import HullFluid
-from squat.reduced.record import Loaded, load, on_patch
-from squat.stability.equilibria import OneDimensionalModel
 from squat.transient.case import TransientCase
+from squat.transient.inputs import Water, load_added_mass, load_fluid
 from squat.transient.problem import EnergyProblem, Field, ShipProblem
 
 _FINE = 32
 """Positions that curves of a reduced model are made from: it answers at once."""
-Water = PotentialFluid | ReducedFluid
-"""Flow solvers with pressure and field."""
 
 
 @dataclass(frozen=True)
@@ -113,37 +94,6 @@ def _measured(case: TransientCase, problem: ShipProblem | EnergyProblem) -> Meas
     half = case.hull.outline.length / 2
     lengths = [half if mode == "pitch" else 1.0 for mode in case.modes]
     return Measured(problem, np.array(lengths), problem.free)
-
-
-def load_fluid(case: TransientCase) -> Water:
-    """The flow solver: on the whole mesh, or a reduced one where `case.model` says so."""
-    if case.model != "reduced":
-        mesh = about_gravity(load_mesh(case), case.hull)
-        return PotentialFluid(mesh, case.water, case.free_surface, case.current)
-    return load_reduced(case).fluid(case.water, case.current)
-
-
-def load_reduced(case: TransientCase) -> Loaded:
-    """The reduced model of the input file, or a new one; the whole mesh where snapshots need it."""
-    if case.inputs.reduced is not None:
-        same = ("hull", "channel", "water", "mesh", "free_surface")
-        records.read_input(case.inputs.reduced, REDUCED, case, same, ignoring=LOADING)
-        loaded = load(Path(case.inputs.reduced), fields=case.snapshots > 0)
-        _check_motion(case, loaded.mesh.submesh)
-        return loaded
-    mesh = about_gravity(load_mesh(case), case.hull)
-    made = reduce(mesh, case.water.density, case.free_surface, case.reduced)
-    return Loaded(made.model, mesh, made.basis) if case.snapshots else on_patch(made, mesh)
-
-
-def _check_motion(case: TransientCase, submesh: Submesh) -> None:
-    turns = submesh.motion.center - np.array([0.0, case.channel.depth])
-    apart = np.abs(turns - case.hull.center_of_gravity).max()
-    if submesh.modes != case.modes or ("pitch" in case.modes and apart > 0):
-        raise InputError(
-            f"inputs.reduced={case.inputs.reduced}: moves in {', '.join(submesh.modes)} about "
-            f"{turns.tolist()}; leave it out, or give modes and hull.gravity_center that agree"
-        )
 
 
 def ship_energy(case: TransientCase, fluid: Water, model: EnergyModel) -> ShipEnergy:
@@ -222,54 +172,3 @@ def _scheme(
     if case.coupling.scheme == "standard":
         fixed = standard(loop.mass)
     return lambda motion: fixed
-
-
-def load_mesh(case: TransientCase) -> Mesh:
-    """The mesh of the input file, or a new one."""
-    if case.inputs.mesh is None:
-        return generate(submesh(case.hull, case.channel, case.modes), case.mesh)
-    data = records.read_input(
-        case.inputs.mesh, MESH, case, ("hull", "channel", "mesh"), ignoring=LOADING
-    )
-    return from_dataset(data, case.modes)
-
-
-def load_added_mass(case: TransientCase) -> Vector:
-    """Added-mass matrix (n, n) of Eq. (23) at q = 0, about the centre of gravity, extrapolated."""
-    if case.inputs.added_mass is None:
-        value, _ = accurate(case.hull, case.channel, case.accuracy, "zero_pressure")
-        matrix = case.water.density * value
-    else:
-        data = records.read_input(
-            case.inputs.added_mass, ADDED_MASS, case, ("hull", "channel", "water"), ignoring=LOADING
-        )
-        if data.attrs["free_surface"] != "zero_pressure":
-            raise InputError(
-                f"inputs.added_mass={case.inputs.added_mass}: computed with free_surface="
-                f"{data.attrs['free_surface']}; give one with zero_pressure, Eq. (23)"
-            )
-        matrix = data["added_mass"].sel(mode_i=list(MODES), mode_j=list(MODES)).values
-    shift = case.hull.center_of_gravity - case.hull.outline.center
-    places = [MODES.index(mode) for mode in case.modes]
-    return about_another_point(matrix, shift)[np.ix_(places, places)]
-
-
-class Roots(NamedTuple):
-    """Roots of Eq. (27) at the run's current [m]; NaN where there is none."""
-
-    stable: float
-    unstable: float
-
-
-def load_roots(case: TransientCase) -> Roots:
-    """Roots of (27), from the input file where it holds this current."""
-    if case.inputs.equilibria is not None:
-        data = records.read_input(
-            case.inputs.equilibria, EQUILIBRIA, case, ("hull", "channel", "water"), ignoring=LOADING
-        )
-        here = data["case_speed"].values == case.current
-        if here.any():
-            return Roots(*(float(data[f"case_{name}"][here][0]) for name in Roots._fields))
-    model = OneDimensionalModel(case.hull, case.channel, case.water)
-    found = model.roots(case.current)
-    return Roots(float(found.stable), float(found.unstable))

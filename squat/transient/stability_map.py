@@ -23,7 +23,7 @@ from squat.progress import progress
 from squat.quantities import STRICT, Count, Fraction, Position, Positive, Speed, Vector
 from squat.records import build, read_input
 from squat.records.fleet_kinds import STABILITY_MAP
-from squat.records.kinds import REDUCED
+from squat.records.reduced_kinds import REDUCED
 from squat.reduced.case import MeshInput, ReducedCase
 from squat.reduced.greedy import Training
 from squat.reduced.record import Loaded, load, on_patch

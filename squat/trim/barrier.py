@@ -15,63 +15,13 @@ from scipy.ndimage import label
 from scipy.optimize import brentq, minimize_scalar, root
 
 from squat.dynamics.lagrangian import Lagrangian
-from squat.mesh import PositionError, Submesh
-from squat.mesh.limits import WALL
+from squat.mesh import PositionError
 from squat.quantities import Vector
 from squat.trim.equilibria import Family
+from squat.trim.region import HEAVES, Region
 
-_WALL = 1.01 * WALL
-_ROOM = 0.1
-"""Least room for heave at the greatest trim over that at rest."""
-_HEAVES, _TRIMS = 33, 41
-"""Points of the grid over heave, dense near the ground, and over pitch."""
-
-
-class Region(NamedTuple):
-    """Where the ship may be.
-
-    Parameters
-    ----------
-    submesh
-        The hull over the bottom.
-    pitch
-        Greatest trim either way [rad].
-    least
-        Clearance [m] at which the ship counts as grounded.
-    """
-
-    submesh: Submesh
-    pitch: float
-    least: float
-
-    def low(self, pitch: float) -> float:
-        """Heave [m] at which the ship grounds at `pitch`."""
-        return self.least - self.submesh.clearance(np.array([0.0, pitch]))
-
-    def high(self, pitch: float) -> float:
-        """Heave [m] up to which its vertical sides stay in the water at `pitch`."""
-        limits = self.submesh.limits
-        full = np.array([0.0, 0.0, pitch])
-        top = self.submesh.motion.positions(full)[self.submesh.hull, 1].max()
-        return float(min(limits.draft / 2, limits.level - top - _WALL * limits.wall))
-
-    def greatest_pitch(self) -> float:
-        """Trim [rad] up to `pitch` at which, either way, a tenth of the heaves at rest is left.
-
-        A long hull over a small gap touches the ground at one end while the other leaves the water.
-        """
-        room = self.high(0.0) - self.low(0.0)
-
-        def left(pitch: float) -> float:
-            rooms = (self.high(p) - self.low(p) for p in (pitch, -pitch))
-            return min(rooms) - _ROOM * room
-
-        return float(brentq(left, 0.0, self.pitch)) if left(self.pitch) < 0 else self.pitch
-
-    def heaves(self, pitch: float) -> Vector:
-        """Heaves [m] from the ground up at `pitch`, in proportion to the clearance."""
-        low, high = self.low(pitch), self.high(pitch)
-        return low - self.least + np.geomspace(self.least, high - low + self.least, _HEAVES)
+_TRIMS = 41
+"""Points of the grid over pitch."""
 
 
 class Pass(NamedTuple):
@@ -105,13 +55,13 @@ class Barrier:
         """The grid's positions, shape (heaves, trims, 2); the first row is the ground."""
         trims = np.linspace(-self.region.pitch, self.region.pitch, _TRIMS)
         columns = [self.region.heaves(pitch) for pitch in trims.tolist()]
-        return np.stack([np.array(columns).T, np.broadcast_to(trims, (_HEAVES, _TRIMS))], axis=-1)
+        return np.stack([np.array(columns).T, np.broadcast_to(trims, (HEAVES, _TRIMS))], axis=-1)
 
     @cached_property
     def _terms(self) -> tuple[Vector, Vector]:
         """U_0 and s of U = U_0 - lambda s on the grid, shape (heaves, trims) each."""
         found = np.array([self._split(q) for q in self._places.reshape(-1, 2)])
-        still, moving = found.T.reshape(2, _HEAVES, _TRIMS)
+        still, moving = found.T.reshape(2, HEAVES, _TRIMS)
         return still, moving
 
     def _split(self, q: Vector) -> tuple[float, float]:
@@ -165,7 +115,7 @@ class Barrier:
         if i == 0:
             ends = self._places[0, [max(j - 1, 0), min(j + 1, _TRIMS - 1)]]
         else:
-            ends = self._places[[i - 1, min(i + 1, _HEAVES - 1)], j]
+            ends = self._places[[i - 1, min(i + 1, HEAVES - 1)], j]
 
         def place(share: float) -> Vector:
             heave, pitch = (1 - share) * ends[0] + share * ends[1]

@@ -10,8 +10,8 @@ from squat.dynamics.lagrangian import Lagrangian, energy
 from squat.mesh import PositionError
 from squat.progress import progress
 from squat.quantities import Vector
-from squat.trim.barrier import Region
 from squat.trim.equilibria import Family
+from squat.trim.region import Region
 
 
 class Track(NamedTuple):

@@ -20,9 +20,10 @@ from squat.records import build
 from squat.records.trim_kinds import TRIM
 from squat.reduced.greedy import reduce
 from squat.stability.equilibria import OneDimensionalModel
-from squat.trim.barrier import Barrier, Region, ridge
+from squat.trim.barrier import Barrier, ridge
 from squat.trim.case import TrimCase
 from squat.trim.equilibria import Modes, Point, branch, fold
+from squat.trim.region import Region
 from squat.trim.release import lost_speed
 
 _log = logging.getLogger(__name__)

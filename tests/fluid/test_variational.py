@@ -194,7 +194,7 @@ def test_steady_force_converges_like_the_energy_and_pressure_like_the_corners():
 
 
 def test_steady_force_on_the_papers_mesh_is_exact_to_three_in_a_thousand(case):
-    from squat.transient.parts import load_mesh
+    from squat.transient.inputs import load_mesh
 
     ship_case = case("transient")
     water = PotentialFluid(load_mesh(ship_case), ship_case.water, "rigid_lid", 0.0)

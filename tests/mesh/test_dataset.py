@@ -12,7 +12,7 @@ from squat.errors import InputError
 from squat.figures.write import FIGURES
 from squat.mesh.run import make, run
 from squat.mesh.ugrid import from_dataset
-from squat.records.kinds import MESH
+from squat.records.mesh_kinds import MESH
 
 DRAWN = [name for name, (kind, _) in FIGURES.items() if kind is MESH]
 

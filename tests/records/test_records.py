@@ -10,8 +10,9 @@ from squat import records
 from squat.errors import InputError
 from squat.piston import run
 from squat.records import KINDS, build, is_answer, read, save
-from squat.records.kinds import EQUILIBRIA, PISTON
+from squat.records.piston_kinds import PISTON
 from squat.records.provenance import digest
+from squat.records.stability_kinds import EQUILIBRIA
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import pytest
 from squat import records
 from squat.errors import InputError
 from squat.fluid.model import Flow
-from squat.records.kinds import REDUCED
+from squat.records.reduced_kinds import REDUCED
 from squat.reduced import bounds, load
 
 

@@ -9,7 +9,7 @@ import pytest
 from squat import records
 from squat.cli.arguments import with_lists
 from squat.errors import InputError
-from squat.records.kinds import TRANSIENT
+from squat.records.transient_kinds import TRANSIENT
 from squat.replay.case import ReplayCase
 from squat.replay.write import write_replay
 

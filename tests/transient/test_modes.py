@@ -14,7 +14,7 @@ from squat.fluid.ship import about_gravity, check_stability
 from squat.mesh import subdivided, submesh
 from squat.mesh.limits import PITCH
 from squat.records import plain, read, read_group, save
-from squat.records.kinds import TRANSIENT
+from squat.records.transient_kinds import TRANSIENT
 from squat.transient.parts import prepare
 from squat.transient.run import run
 
