@@ -42,13 +42,15 @@ def stack(
         declared = source.variables[name]
         dims = tuple(f"{dim}{INDEX}" if dim in apart else dim for dim in declared.dims)
         lead = () if name in common else tuple(axes)
-        variables[name] = Variable(lead + dims, declared.units, declared.long_name)
         values = {place: d[name].values for place, d in datasets.items() if name in d}
         if name in common:
             data[name] = max(values.values(), key=len)
         else:
             own = tuple(sizes[dim] for dim in declared.dims)
             data[name] = _stacked(values, shape, own)
+        filled = lead and data[name].dtype.kind == "f"
+        meaning = _filled(declared.long_name) if filled else declared.long_name
+        variables[name] = Variable(lead + dims, declared.units, meaning)
     return variables, data
 
 
@@ -56,6 +58,11 @@ def _agree(name: str, datasets: Mapping[Place, xr.Dataset]) -> bool:
     values = [d[name].values for d in datasets.values() if name in d]
     longest = max(values, key=len)
     return all(np.array_equal(value, longest[: len(value)]) for value in values)
+
+
+def _filled(meaning: str) -> str:
+    also = " too" if "; NaN" in meaning else ""
+    return f"{meaning}; NaN{also}: no such job, or a shorter one"
 
 
 def _stacked(values: Mapping[Place, Array], shape: Place, own: Place) -> Array:

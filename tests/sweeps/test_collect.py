@@ -75,6 +75,7 @@ def test_every_value_stands_where_its_parameters_say(job, joined):
             assert np.isnan(found[outside]).all(), name
     assert json.loads(sweep.attrs["missing"]) == []
     assert sweep["position"].attrs["units"] == "m"
+    assert sweep["position"].attrs["long_name"].endswith("; NaN: no such job, or a shorter one")
     assert "units" not in sweep["mass_ratio"].attrs
 
 
