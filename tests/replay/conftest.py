@@ -96,3 +96,9 @@ def entities():
         return found
 
     return read
+
+
+@pytest.fixture(scope="session")
+def shown(record, entities, ship):
+    """Recording, dataset and snapshots of `ship`."""
+    return entities(record(ship)), records.read(ship), records.read_group(ship, "fields")

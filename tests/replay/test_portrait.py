@@ -9,7 +9,7 @@ from squat.replay.landscape import Landscape
 from squat.replay.runs import load
 from squat.replay.style import ticked
 from squat.transient.parts import prepare
-from tests.replay.test_recordings import one_each, reader_of, scalars
+from tests.replay.reading import one_each, reader_of, scalars
 
 READ = 1e-6  # of a diagram's range: places are kept in single precision
 ROUND_OFF = 1e-12  # of m g T: what a step of energy_momentum may lose

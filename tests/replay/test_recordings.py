@@ -10,29 +10,9 @@ import rerun_cli
 
 import squat as package
 from squat import records
-from squat.replay.channel import Extent
-from squat.replay.chart import _HANGING
-from squat.replay.overlay import difference
 from squat.replay.panels import PANELS, Place, panel
-from squat.replay.runs import labels, load
-from squat.replay.wires import affine
 from squat.stability.equilibria import OneDimensionalModel
-
-NANOSECOND = 1e-9
-SINGLE = 2e-7  # relative, of numbers kept in single precision
-
-
-def scalars(entity):
-    return np.array(entity.rows["scalars"])[:, 0]
-
-
-def one_each(entity, name):
-    return [np.array(row[0]) for row in entity.rows[name]]
-
-
-@pytest.fixture(scope="module")
-def shown(record, entities, ship):
-    return entities(record(ship)), records.read(ship), records.read_group(ship, "fields")
+from tests.replay.reading import NANOSECOND, one_each, reader_of, scalars
 
 
 def test_curves_have_the_values_and_both_times_of_the_dataset(shown):
@@ -58,96 +38,6 @@ def test_both_roots_are_level_lines_from_start_to_end(shown):
         line = found[f"plots/heave/{name}"]
         assert list(scalars(line)) == [float(data[name])] * 2
         assert line.time == pytest.approx(data["time"].values[[0, -1]], abs=NANOSECOND)
-
-
-def test_mesh_moves_with_the_snapshots_and_brighter_is_higher_pressure(shown):
-    found, _, fields = shown
-    mesh = found["channel/mesh"]
-    assert mesh.time == pytest.approx(fields["time"].values, abs=NANOSECOND)
-    assert np.array_equal(mesh.rows["triangle_indices"][0], fields["face_node"].values)
-    places = np.array(mesh.rows["vertex_positions"])
-    assert np.array_equal(places[..., 0], fields["x"].values)
-    assert np.array_equal(places[..., 2], fields["z"].values)
-    packed = np.array(mesh.rows["vertex_colors"], np.uint32)
-    green = packed >> 16 & 255  # rises along the whole map
-    dynamic = fields["pressure"].values - 9810 * (20 - fields["z"].values)
-    order = np.argsort(dynamic, axis=None)
-    assert np.all(np.diff(green.ravel()[order].astype(int)) >= 0)
-    assert np.ptp(green) > 200
-
-
-def test_arrows_are_velocities_of_their_nodes_to_one_scale(shown):
-    found, _, fields = shown
-    arrows = found["channel/velocity"]
-    assert len(arrows.time) == fields.sizes["time"]
-    for n, (origins, vectors) in enumerate(
-        zip(arrows.rows["origins"], arrows.rows["vectors"], strict=True)
-    ):
-        origin, vector = np.array(origins), np.array(vectors)
-        x, z = (fields[name].values[n] for name in "xz")
-        nodes = [int(np.argmin((x - o[0]) ** 2 + (z - o[2]) ** 2)) for o in origin]
-        speed = np.stack([fields[f"velocity_{a}"].values[n][nodes] for a in "xz"], axis=1)
-        scale = np.linalg.norm(vector) / np.linalg.norm(speed)
-        assert vector[:, [0, 2]] == pytest.approx(scale * speed, rel=10 * SINGLE, abs=1e-6)
-        assert 50 < len(nodes) < 200
-        assert len(set(nodes)) == len(nodes)
-
-
-def test_wires_lie_on_the_moved_mesh(shown):
-    found, _, fields = shown
-    sides = 0
-    for name, zone in found.items():
-        if not name.startswith("channel/wires/"):
-            continue
-        lines = np.array(zone.rows["strips"][0])
-        maps = np.array([row[0] for row in zone.rows["mat3x3"]]).reshape(-1, 3, 3)
-        shifts = np.array([row[0] for row in zone.rows["translation"]])
-        sides += len(lines)
-        for n in (0, len(shifts) - 1):
-            # rerun keeps matrices column after column.
-            moved = np.einsum("cr,kic->kir", maps[n], lines) + shifts[n]
-            nodes = np.stack([fields["x"].values[n], fields["z"].values[n]], axis=1)
-            gaps = np.linalg.norm(moved.reshape(-1, 3)[:, None, [0, 2]] - nodes[None], axis=2)
-            assert gaps.min(axis=1).max() < 1e-3
-    faces, nodes = fields.sizes["face"], fields.sizes["node"]
-    assert sides >= faces + nodes - 1  # Euler; sides between zones are drawn with both
-
-
-def test_affine_maps_are_found_exactly():
-    rng = np.random.default_rng(1)
-    start, matrix, shift = rng.normal(size=(9, 2)), rng.normal(size=(2, 2)), rng.normal(size=2)
-    maps, shifts = affine(np.stack([start, start @ matrix.T + shift]))
-    assert maps == pytest.approx(np.stack([np.eye(2), matrix]), abs=1e-12)
-    assert shifts == pytest.approx(np.stack([np.zeros(2), shift]), abs=1e-12)
-
-
-def test_hull_moves_by_heave_and_water_and_bottom_stand(shown, ship):
-    found, data, _ = shown
-    (run,) = load((str(ship),))
-    extent = Extent.of(run)
-    strips = one_each(found["channel/hull"], "strips")
-    heave = data["heave"].values[:: run.config["snapshots"]]
-    size = len(extent.hull)
-    assert extent.hull[[0, -1]].tolist() == [[0, 20], [40, 20]]
-    assert extent.hull[1:-1].tolist() == [[0, 10], [40, 10]]
-    for strip, w in zip(strips, heave, strict=True):
-        assert strip[:size, 2] - w == pytest.approx(extent.hull[:, 1], abs=1e-5)
-        assert np.array_equal(strip[0], strip[-1])
-    water = np.array(found["channel/water_line"].rows["strips"][0])
-    assert np.all(water[..., 2] == extent.depth)
-    assert list(water[:, :, 0].ravel()) == [extent.inlet, 0.0, extent.hull[-1, 0], extent.outlet]
-    assert found["channel/bottom"].time == []
-
-
-def reader_of(found, name):
-    """Numbers that a reader takes from a diagram by its labelled axes."""
-    numbers = found[f"axes/{name}/numbers"].rows
-    places, words = np.array(numbers["positions"][0]), numbers["labels"][0][:-2]
-    values = np.array([float(word) for word in words])
-    low = places[:-2, 1] == places[:-2, 1].max()
-    across = np.polyfit(places[:-2][low, 0], values[low], 1)
-    up = np.polyfit(places[:-2][~low, 1] + _HANGING, values[~low], 1)
-    return lambda strip: (np.polyval(across, strip[:, 0]), np.polyval(up, strip[:, 1]))
 
 
 def test_keel_pressure_reads_as_the_dataset_and_the_level_line_balances_eq_27(shown, case):
@@ -249,38 +139,6 @@ def test_a_run_that_fails_at_once_keeps_two_times_and_no_empty_rows(record, enti
     told = data["failed_residual"].values
     assert logarithm == pytest.approx(np.log10(told[told > 0]), abs=1e-3)
     assert "plots/iterations/iterations" not in found  # rerun's viewer fails on a chunk of none
-
-
-def test_compared_runs_stand_on_one_axis_with_their_difference(record, entities, ship, bare):
-    found = entities(record(ship, bare))
-    first, other = records.read(ship), records.read(bare)
-    for label, data in {"ship": first, "bare": other}.items():
-        assert np.array_equal(scalars(found[f"{label}/plots/heave/heave"]), data["heave"].values)
-    change = found["bare/differences/heave/heave"]
-    common = first["time"].values <= other["time"].values[-1]
-    assert change.time == pytest.approx(first["time"].values[common], abs=NANOSECOND)
-    there = np.interp(first["time"].values[common], other["time"].values, other["heave"].values)
-    assert np.array_equal(scalars(change), there - first["heave"].values[common])
-
-
-def test_a_run_less_itself_is_nothing(ship, tmp_path):
-    copy = tmp_path / "copy.nc"
-    copy.write_bytes(ship.read_bytes())
-    first, other = load((str(ship), str(copy)))
-    clock, values = difference(first, other, lambda data: data["heave"])
-    assert np.all(values == 0)
-    assert len(clock.time) == first.data.sizes["time"]
-
-
-def test_labels_say_what_differs_and_no_more():
-    def named(*paths):
-        return labels([Path(path) for path in paths])
-
-    assert named("a/run.nc", "b/run.nc") == ["a", "b"]
-    assert named("a.nc", "x/b.2.nc") == ["a", "b.2"]
-    assert named("a/run.nc") == [""]
-    assert named("x/v-1__s-5/run.nc", "x/s-5__v-2/run.nc") == ["v-1", "v-2"]
-    assert named("a/x/1.nc", "a/y/2.nc", "b/x/2.nc") == ["x/1", "y/2", "x/2"]
 
 
 def test_a_new_panel_is_a_function_and_a_list_of_variables(record, entities, ship, monkeypatch):

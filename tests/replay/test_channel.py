@@ -1,0 +1,88 @@
+"""Mesh, arrows, wires and hull of a recording against the snapshots that they show."""
+
+import numpy as np
+import pytest
+
+from squat.replay.channel import Extent
+from squat.replay.runs import load
+from squat.replay.wires import affine
+from tests.replay.reading import NANOSECOND, SINGLE, one_each
+
+
+def test_mesh_moves_with_the_snapshots_and_brighter_is_higher_pressure(shown):
+    found, _, fields = shown
+    mesh = found["channel/mesh"]
+    assert mesh.time == pytest.approx(fields["time"].values, abs=NANOSECOND)
+    assert np.array_equal(mesh.rows["triangle_indices"][0], fields["face_node"].values)
+    places = np.array(mesh.rows["vertex_positions"])
+    assert np.array_equal(places[..., 0], fields["x"].values)
+    assert np.array_equal(places[..., 2], fields["z"].values)
+    packed = np.array(mesh.rows["vertex_colors"], np.uint32)
+    green = packed >> 16 & 255  # rises along the whole map
+    dynamic = fields["pressure"].values - 9810 * (20 - fields["z"].values)
+    order = np.argsort(dynamic, axis=None)
+    assert np.all(np.diff(green.ravel()[order].astype(int)) >= 0)
+    assert np.ptp(green) > 200
+
+
+def test_arrows_are_velocities_of_their_nodes_to_one_scale(shown):
+    found, _, fields = shown
+    arrows = found["channel/velocity"]
+    assert len(arrows.time) == fields.sizes["time"]
+    for n, (origins, vectors) in enumerate(
+        zip(arrows.rows["origins"], arrows.rows["vectors"], strict=True)
+    ):
+        origin, vector = np.array(origins), np.array(vectors)
+        x, z = (fields[name].values[n] for name in "xz")
+        nodes = [int(np.argmin((x - o[0]) ** 2 + (z - o[2]) ** 2)) for o in origin]
+        speed = np.stack([fields[f"velocity_{a}"].values[n][nodes] for a in "xz"], axis=1)
+        scale = np.linalg.norm(vector) / np.linalg.norm(speed)
+        assert vector[:, [0, 2]] == pytest.approx(scale * speed, rel=10 * SINGLE, abs=1e-6)
+        assert 50 < len(nodes) < 200
+        assert len(set(nodes)) == len(nodes)
+
+
+def test_wires_lie_on_the_moved_mesh(shown):
+    found, _, fields = shown
+    sides = 0
+    for name, zone in found.items():
+        if not name.startswith("channel/wires/"):
+            continue
+        lines = np.array(zone.rows["strips"][0])
+        maps = np.array([row[0] for row in zone.rows["mat3x3"]]).reshape(-1, 3, 3)
+        shifts = np.array([row[0] for row in zone.rows["translation"]])
+        sides += len(lines)
+        for n in (0, len(shifts) - 1):
+            # rerun keeps matrices column after column.
+            moved = np.einsum("cr,kic->kir", maps[n], lines) + shifts[n]
+            nodes = np.stack([fields["x"].values[n], fields["z"].values[n]], axis=1)
+            gaps = np.linalg.norm(moved.reshape(-1, 3)[:, None, [0, 2]] - nodes[None], axis=2)
+            assert gaps.min(axis=1).max() < 1e-3
+    faces, nodes = fields.sizes["face"], fields.sizes["node"]
+    assert sides >= faces + nodes - 1  # Euler; sides between zones are drawn with both
+
+
+def test_affine_maps_are_found_exactly():
+    rng = np.random.default_rng(1)
+    start, matrix, shift = rng.normal(size=(9, 2)), rng.normal(size=(2, 2)), rng.normal(size=2)
+    maps, shifts = affine(np.stack([start, start @ matrix.T + shift]))
+    assert maps == pytest.approx(np.stack([np.eye(2), matrix]), abs=1e-12)
+    assert shifts == pytest.approx(np.stack([np.zeros(2), shift]), abs=1e-12)
+
+
+def test_hull_moves_by_heave_and_water_and_bottom_stand(shown, ship):
+    found, data, _ = shown
+    (run,) = load((str(ship),))
+    extent = Extent.of(run)
+    strips = one_each(found["channel/hull"], "strips")
+    heave = data["heave"].values[:: run.config["snapshots"]]
+    size = len(extent.hull)
+    assert extent.hull[[0, -1]].tolist() == [[0, 20], [40, 20]]
+    assert extent.hull[1:-1].tolist() == [[0, 10], [40, 10]]
+    for strip, w in zip(strips, heave, strict=True):
+        assert strip[:size, 2] - w == pytest.approx(extent.hull[:, 1], abs=1e-5)
+        assert np.array_equal(strip[0], strip[-1])
+    water = np.array(found["channel/water_line"].rows["strips"][0])
+    assert np.all(water[..., 2] == extent.depth)
+    assert list(water[:, :, 0].ravel()) == [extent.inlet, 0.0, extent.hull[-1, 0], extent.outlet]
+    assert found["channel/bottom"].time == []

@@ -1,0 +1,43 @@
+"""Several runs in one recording: one axis, differences, names."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from squat import records
+from squat.replay.overlay import difference
+from squat.replay.runs import labels, load
+from tests.replay.reading import NANOSECOND, scalars
+
+
+def test_compared_runs_stand_on_one_axis_with_their_difference(record, entities, ship, bare):
+    found = entities(record(ship, bare))
+    first, other = records.read(ship), records.read(bare)
+    for label, data in {"ship": first, "bare": other}.items():
+        assert np.array_equal(scalars(found[f"{label}/plots/heave/heave"]), data["heave"].values)
+    change = found["bare/differences/heave/heave"]
+    common = first["time"].values <= other["time"].values[-1]
+    assert change.time == pytest.approx(first["time"].values[common], abs=NANOSECOND)
+    there = np.interp(first["time"].values[common], other["time"].values, other["heave"].values)
+    assert np.array_equal(scalars(change), there - first["heave"].values[common])
+
+
+def test_a_run_less_itself_is_nothing(ship, tmp_path):
+    copy = tmp_path / "copy.nc"
+    copy.write_bytes(ship.read_bytes())
+    first, other = load((str(ship), str(copy)))
+    clock, values = difference(first, other, lambda data: data["heave"])
+    assert np.all(values == 0)
+    assert len(clock.time) == first.data.sizes["time"]
+
+
+def test_labels_say_what_differs_and_no_more():
+    def named(*paths):
+        return labels([Path(path) for path in paths])
+
+    assert named("a/run.nc", "b/run.nc") == ["a", "b"]
+    assert named("a.nc", "x/b.2.nc") == ["a", "b.2"]
+    assert named("a/run.nc") == [""]
+    assert named("x/v-1__s-5/run.nc", "x/s-5__v-2/run.nc") == ["v-1", "v-2"]
+    assert named("a/x/1.nc", "a/y/2.nc", "b/x/2.nc") == ["x/1", "y/2", "x/2"]
