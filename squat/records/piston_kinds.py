@@ -49,7 +49,7 @@ ITERATIONS = Kind(
             ("density_added_mass_ratio",), "1", "m_add/m_f in the sweep of the density"
         ),
         "mean_iterations": Variable(
-            _CELL, "1", "structure solves, mean over the steps; NaN: no step converged"
+            _CELL, "1", "structure solves, mean over the steps; inf: not all converged"
         ),
         "predicted_iterations": Variable(
             _CELL, "1", "the same predicted from G and Eq. (5); inf: never"
@@ -63,7 +63,7 @@ ITERATIONS = Kind(
         "density_mean_iterations": Variable(
             ("density_added_mass_ratio", "density"),
             "1",
-            "structure solves, mean over the steps; NaN: no step converged",
+            "structure solves, mean over the steps; inf: not all converged",
         ),
         "density_predicted_contraction": Variable(
             ("density_added_mass_ratio", "density"), "1", "amplification factor G"
