@@ -8,7 +8,7 @@ import pytest
 from squat.errors import InputError
 from squat.piston import run
 from squat.piston.piston import Oscillator
-from squat.piston.study import predict, steps, with_density, with_ratios
+from squat.piston.study import predict, steps, study, with_density, with_ratios
 
 
 def error(case):
@@ -144,3 +144,18 @@ def test_energy_momentum_is_second_order_towards_eq_5(case):
 def test_iterations_of_a_step_without_iteration_are_not_studied(case):
     with pytest.raises(InputError, match="integrator=energy_momentum: has no iterations"):
         case("iterations", "integrator=energy_momentum")
+
+
+def test_a_study_tells_cells_that_diverge_by_infinity(case):
+    """The iteration converges where |G| < 1, and nowhere else."""
+    cells = {
+        "mass_ratios": "[0.5,10]",
+        "added_mass_ratios": "[0]",
+        "densities": "[200]",
+        "density_added_mass_ratios": "[1]",
+        "curve_points": "2",
+    }
+    keys = [f"cells.{name}={value}" for name, value in cells.items()]
+    data = study(case("iterations", *keys))
+    assert np.isinf(data["mean_iterations"]).values.tolist() == [[False, True]]
+    assert (abs(data["predicted_contraction"]) < 1).values.tolist() == [[True, False]]
