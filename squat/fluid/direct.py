@@ -5,21 +5,20 @@ position, and stands meshes squeezed to a fiftieth of their height.
 """
 
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 
-from squat.fem import AffineStiffness, Factorised, HullLoads, Space, flux
+from squat.fem import Factorised
 from squat.fluid.added_mass import DIRICHLET
+from squat.fluid.elements import Elements
 from squat.fluid.model import Coefficients, FreeSurface, Slopes
 from squat.fluid.variational import UnitFlows
-from squat.mesh import Mesh
 from squat.quantities import Vector
 from squat.water import Water
 
 
 @dataclass(eq=False)
-class DirectEnergies:
+class DirectEnergies(Elements):
     """An `EnergyModel` on a mesh of either order.
 
     Parameters
@@ -31,27 +30,9 @@ class DirectEnergies:
         keeping the lid: `blend` by another name.
     """
 
-    mesh: Mesh
     water: Water
     free_surface: FreeSurface
     _last: UnitFlows | None = field(default=None, init=False, repr=False)
-
-    @cached_property
-    def space(self) -> Space:
-        """Finite elements on the mesh."""
-        return Space.on(self.mesh)
-
-    @cached_property
-    def _affine(self) -> AffineStiffness:
-        return AffineStiffness(self.mesh, self.space)
-
-    @cached_property
-    def _loads(self) -> HullLoads:
-        return HullLoads(self.mesh, self.space)
-
-    @cached_property
-    def _inflow(self) -> Vector:
-        return flux(self.space, "Out")
 
     @property
     def _lid(self) -> bool:
@@ -60,7 +41,7 @@ class DirectEnergies:
     def coefficients(self, position: Vector) -> Coefficients:
         """See `EnergyModel.coefficients`."""
         flows = self._flows(position)
-        return flows.coefficients(self.water.density, self._inflow, crossed=self._lid)
+        return flows.coefficients(self.water.density, self.inflow, crossed=self._lid)
 
     def slopes(self, position: Vector) -> Slopes:
         """See `EnergyModel.slopes`; exact for the mesh."""
@@ -75,7 +56,7 @@ class DirectEnergies:
             lid = Factorised.of(
                 self._affine.matrix(theta), self.space.dofs(*DIRICHLET["rigid_lid"])
             )
-            current, *unit = lid.solve(np.vstack([self._inflow, loads])).values
+            current, *unit = lid.solve(np.vstack([self.inflow, loads])).values
             if not self._lid:
                 held = self.space.dofs(*DIRICHLET["zero_pressure"])
                 unit = list(Factorised.of(self._affine.matrix(theta), held).solve(loads).values)

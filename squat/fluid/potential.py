@@ -6,13 +6,12 @@ from functools import cached_property
 import numpy as np
 
 from squat.errors import InputError
-from squat.fem import AffineStiffness, HullLoads, Space, flux
 from squat.fluid.added_mass import DIRICHLET
+from squat.fluid.elements import Elements
 from squat.fluid.model import Coefficients, Flow, FreeSurface, Slopes, check_current
 from squat.fluid.pressure import HullPressure
 from squat.fluid.stiffness import MovingSolver
 from squat.fluid.variational import UnitFlows
-from squat.mesh import Mesh
 from squat.quantities import Vector
 from squat.water import Water
 
@@ -21,7 +20,7 @@ _EVALUABLE = 0.002
 
 
 @dataclass(eq=False)
-class PotentialFluid:
+class PotentialFluid(Elements):
     """Potential flow in a channel whose current is `current` [m/s] far from the hull.
 
     Parameters
@@ -33,7 +32,6 @@ class PotentialFluid:
         current's potential under the lid, the hull's with zero pressure, their cross term dropped.
     """
 
-    mesh: Mesh
     water: Water
     free_surface: FreeSurface
     current: float
@@ -45,24 +43,6 @@ class PotentialFluid:
             raise InputError(f"mesh.order={self.mesh.order}: pressure is integrated on P1; give 1")
         limits = replace(self.mesh.submesh.limits, fraction=_EVALUABLE)
         self.mesh = replace(self.mesh, submesh=replace(self.mesh.submesh, limits=limits))
-
-    @cached_property
-    def space(self) -> Space:
-        """Finite elements on the mesh."""
-        return Space.on(self.mesh)
-
-    @cached_property
-    def _affine(self) -> AffineStiffness:
-        return AffineStiffness(self.mesh, self.space)
-
-    @cached_property
-    def _loads(self) -> HullLoads:
-        return HullLoads(self.mesh, self.space)
-
-    @cached_property
-    def inflow(self) -> Vector:
-        """r_0: load of unit flux through Out."""
-        return flux(self.space, "Out")
 
     @cached_property
     def _lid(self) -> MovingSolver:
