@@ -74,7 +74,7 @@ LAYOUT = {"figures", "replay", "report"}
 CHANCE = {
     "formulas.py": {"0.76"},  # Huuska's K_s = 7.45 S + 0.76
     "count.py": {"0.75"},  # three quarters of a circle at a corner
-    "barrier.py": {"1.01"},  # one percent more
+    "region.py": {"1.01"},  # one percent more
     "run.py": {"1.01"},  # likewise
 }
 
