@@ -72,3 +72,8 @@ def test_shown_position_out_of_range_is_refused_by_name(case):
         run(case("mesh", "position.heave=-12.0"))
     with pytest.raises(InputError, match=r"^position\.pitch=0\.4: must be within 0\.26"):
         run(case("mesh", "position.pitch=0.4"))
+    slope = "channel.bottom=[[0,0],[1,6]]", "position.surge=3.0", "position.heave=0.0"
+    with pytest.raises(
+        InputError, match=r"^position\.surge=3 position\.heave=0 position\.pitch=0: folds"
+    ):
+        run(case("mesh", *slope, "position.pitch=0.0"))
