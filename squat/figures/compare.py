@@ -22,6 +22,7 @@ from squat.quantities import STRICT
 _log = logging.getLogger(__name__)
 _USUAL = {"transient": "heave", "piston": "position"}
 _LINE = 0.17  # in, height of a line of the legend
+_KEYS = ("variable", "over")
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
 
@@ -68,10 +69,14 @@ def draw(table: pd.DataFrame, variable: str, over: str | None) -> Figure:
     figure, axes = single(7.0, 4.0)
     wanted = list(filter(None, (variable, over)))
     if over is not None and set(wanted) <= set(table.columns):
-        _points(axes, _kept(table, table[wanted].notna().all(axis=1), wanted), variable, over)
+        kept = _kept(table, table[wanted].notna().all(axis=1), wanted)
+        _points(axes, kept, variable, over)
     else:
         held = table["file"].map(lambda file: set(wanted) <= _variables(file))
-        _lines(axes, _kept(table, held, wanted), variable, over)
+        kept = _kept(table, held, wanted)
+        _lines(axes, kept, variable, over)
+    if lacking := len(table) - len(kept):
+        _log.warning("%d of %d runs skipped: without %s", lacking, len(table), " and ".join(wanted))
     if (lines := len(axes.lines)) > 1:
         figure.set_figheight(4.0 + _LINE * lines)
         figure.legend(loc="outside lower center", fontsize=8)
@@ -79,16 +84,12 @@ def draw(table: pd.DataFrame, variable: str, over: str | None) -> Figure:
 
 
 def _kept(table: pd.DataFrame, held: "pd.Series[bool]", wanted: list[str]) -> pd.DataFrame:
-    """The rows that hold what is wanted; how many do not is said."""
-    names, lacking = " and ".join(wanted), len(table) - int(held.sum())
-    if lacking == len(table):
-        own = ", ".join(sorted(_variables(table["file"].iloc[0])))
-        raise InputError(
-            f"variable={wanted[0]}: no run has {names}; give one that they have, as {own}"
-        )
-    if lacking:
-        _log.warning("%d of %d runs skipped: without %s", lacking, len(table), names)
-    return table[held]
+    """The rows that hold what is wanted; InputError where none does."""
+    if held.any():
+        return table[held]
+    own = ", ".join(sorted(_variables(table["file"].iloc[0])))
+    asked = " ".join(f"{key}={name}" for key, name in zip(_KEYS, wanted, strict=False))
+    raise InputError(f"{asked}: no run has that; give what they have, as {own}")
 
 
 def _variables(file: str) -> set[str]:

@@ -196,7 +196,9 @@ CONVERGENCE = Kind(
         "unit": Variable(_QUANTITY, "1", "unit of the row's values and error"),
         "refined": Variable(_QUANTITY, "1", "what was refined: mesh or time step"),
         "level_value": Variable(
-            ("quantity", "level"), "1", "values from the coarsest to the finest, in `unit`"
+            ("quantity", "level"),
+            "1",
+            "values from the coarsest to the finest; NaN: none, in `unit`",
         ),
         "observed_order": Variable(_QUANTITY, "1", "observed order; NaN: they do not shrink so"),
         "value": Variable(_QUANTITY, "1", "extrapolated with that order; NaN: none, in `unit`"),

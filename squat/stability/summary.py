@@ -29,7 +29,7 @@ def _at_speed(case: LimitsCase, data: Mapping[str, Any]) -> list[str]:
 
 
 def _limits(data: Mapping[str, Any]) -> list[str]:
-    lines = ["limits"]
+    lines = ["limits in heave alone (task=trim gives those in heave and pitch)"]
     for name, speed, error, froude in zip(
         data["limit"],
         data["limit_speed"],

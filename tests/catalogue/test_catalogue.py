@@ -125,7 +125,7 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         assert f"mass_ratio = {ratio:g}" in line.get_label()
     (axes,) = draw(table, "result.predicted_contraction", "piston.mass_ratio").axes
     assert list(axes.lines[0].get_xdata()) == sorted(RATIOS)
-    with pytest.raises(InputError, match=r"variable=heave: no run has heave; .* as .*position"):
+    with pytest.raises(InputError, match=r"variable=heave: no run has that; .* as .*position"):
         draw(table, "heave", None)
 
 

@@ -99,15 +99,15 @@ class Generator:
         required = [w for w in REQUIRED.get(task, []) if w.partition("=")[0] not in given]
         return (f"task={task}", *required, *typed)
 
+    def told(self, task, *names):
+        """`names`, or none: a task whose other files are of a wrong kind may name one of these."""
+        return () if task in ("verdicts", "report") else names
+
     def value(self, sort):
         task, key, _ = self.pick()
         word = self.random.choice(words.WORDS[sort])
-        names = key, key.split(".")[0], word
-        return Bad(
-            sort,
-            self.command(task, f"{key}={word}"),
-            names if task not in ("verdicts", "report") else (),
-        )
+        names = self.told(task, key, key.split(".")[0], word)
+        return Bad(sort, self.command(task, f"{key}={word}"), names)
 
     def typo(self):
         task, key, _ = self.pick()
@@ -122,7 +122,7 @@ class Generator:
         task, key, _ = self.pick()
         key = self.random.choice([*GROUPS, key, "task", "hydra/launcher"])
         word = self.random.choice(words.CHOICES)
-        return Bad("choice", self.command(task, f"{key}={word}"), (key, word))
+        return Bad("choice", self.command(task, f"{key}={word}"), self.told(task, key, word))
 
     def deletion(self):
         task, key, _ = self.pick()
@@ -132,11 +132,7 @@ class Generator:
     def file(self):
         task = self.random.choice(list(FILES))
         name = self.random.choice(words.BROKEN)
-        return Bad(
-            "file",
-            self.command(task, FILES[task].format(name)),
-            () if task == "verdicts" else (name,),
-        )
+        return Bad("file", self.command(task, FILES[task].format(name)), self.told(task, name))
 
     def target(self):
         task, key, _ = self.pick()
