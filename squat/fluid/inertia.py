@@ -5,16 +5,15 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 import xarray as xr
-from joblib import Parallel, delayed
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel import Channel, Rectangle
+from squat.cores import spread
 from squat.fluid.accuracy import Accuracy, accurate
 from squat.fluid.added_mass import AddedMass
 from squat.mesh import MeshSize, submesh
 from squat.mesh.generate import generate
-from squat.progress import progress
 from squat.quantities import STRICT, Length, Positive
 from squat.records import build
 from squat.records.added_mass_kinds import INERTIA
@@ -140,9 +139,8 @@ def run(case: InertiaCase) -> xr.Dataset:
     """Dataset of kind `inertia`: all cells, run over the cores."""
     finite, deep = finite_cells(case.cells), deep_cells(case.cells)
     every = finite + deep
-    jobs = (delayed(measure)(one, case.mesh, case.accuracy) for one in every)
-    results = Parallel(n_jobs=-1, return_as="generator")(jobs)
-    found = list(progress(results, total=len(every), label="inertia coefficient"))
+    jobs = ((one, case.mesh, case.accuracy) for one in every)
+    found = spread(measure, jobs, "inertia coefficient")
     rows: list[tuple[str, float, float, Found]] = [
         (one.reading, one.depth_over_draft, one.a_over_T, result)
         for one, result in zip(finite, found, strict=False)

@@ -5,17 +5,16 @@ from typing import Annotated, Any
 
 import numpy as np
 import xarray as xr
-from joblib import Parallel, delayed
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
+from squat.cores import spread
 from squat.coupling import SchemeName
 from squat.coupling.amplification import predicted_iterations
 from squat.dynamics import INTEGRATORS, IntegratorName
 from squat.errors import InputError
 from squat.piston.case import PistonCase
 from squat.piston.run import run, steps
-from squat.progress import progress
 from squat.quantities import STRICT, Count, NonNegative, Positive, Vector
 from squat.records import build
 from squat.records.piston_kinds import ITERATIONS
@@ -154,11 +153,13 @@ def study(case: StudyCase) -> xr.Dataset:
 def _measure_all(tables: list[list[list[PistonCase]]]) -> list[list[list[Any]]]:
     """Measure every case of every table; the slowest cells start first."""
     cases = [case for table in tables for row in table for case in row]
-    order = sorted(range(len(cases)), key=lambda i: abs(abs(cases[i].amplification()) - 1))
-    results = Parallel(n_jobs=-1, return_as="generator")(delayed(measure)(cases[i]) for i in order)
-    found = dict(zip(order, progress(results, total=len(order), label="piston"), strict=True))
-    values = iter([found[i] for i in range(len(cases))])
+    values = iter(spread(measure, ((case,) for case in cases), "piston", cost=_slowness))
     return [[[next(values) for _ in row] for row in table] for table in tables]
+
+
+def _slowness(case: PistonCase) -> float:
+    """The nearer |G| to one, the more iterations."""
+    return -abs(abs(case.amplification()) - 1)
 
 
 def _table(measured: list[list[Any]], entry: int) -> Vector:

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from joblib import Parallel, delayed
 
+from squat.cores import spread
 from squat.coupling import NoAcceleration
 from squat.dynamics import IntegratorName
 from squat.dynamics.hydrostatics import heave_stiffness
@@ -16,7 +16,6 @@ from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES, RateName
 from squat.mesh import submesh
 from squat.mesh.generate import generate
-from squat.progress import progress
 from squat.quantities import Vector
 from squat.race.case import RaceCase
 from squat.race.entrants import Column, Entrant
@@ -112,10 +111,7 @@ def _all(
     heats: list[Heat], task: Callable[[Heat], dict[str, Vector]], label: str
 ) -> list[dict[str, Vector]]:
     """`task` of every heat over the cores; those of many steps start first."""
-    order = sorted(range(len(heats)), key=lambda i: -heats[i].steps)
-    results = Parallel(n_jobs=-1, return_as="generator")(delayed(task)(heats[i]) for i in order)
-    found = dict(zip(order, progress(results, len(order), label), strict=True))
-    return [found[i] for i in range(len(heats))]
+    return spread(task, ((heat,) for heat in heats), label, cost=lambda heat: heat.steps)
 
 
 def _race(heat: Heat) -> dict[str, Vector]:

@@ -4,12 +4,11 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 import xarray as xr
-from joblib import Parallel, delayed
 
 from squat.channel import AnyHull, resized, stretched
+from squat.cores import spread
 from squat.errors import InputError
 from squat.fluid.accuracy import accurate
-from squat.progress import progress
 from squat.records import build
 from squat.records.padding import padded
 from squat.records.stability_kinds import HULL_SHAPES
@@ -51,9 +50,7 @@ class Shape:
 def run(case: HullShapesCase) -> xr.Dataset:
     """Dataset of kind `hull_shapes`; InputError names the hull that it is about."""
     hulls = {name: alike(case, name) for name in case.hulls}
-    jobs = (delayed(_named)(case, name, hull) for name, hull in hulls.items())
-    results = Parallel(n_jobs=-1, return_as="generator")(jobs)
-    shapes = list(progress(results, total=len(hulls), label="hulls"))
+    shapes = spread(_named, ((case, name, hull) for name, hull in hulls.items()), "hulls")
     rows = [asdict(shape) for shape in shapes]
     outlines = [hull.outline.vertices for hull in hulls.values()]
     data = {

@@ -2,10 +2,9 @@
 
 import numpy as np
 import xarray as xr
-from joblib import Parallel, delayed
 
 from squat.channel import Channel, Rectangle
-from squat.progress import progress
+from squat.cores import spread
 from squat.records import build
 from squat.records.stability_kinds import LIMITS_MAP
 from squat.stability.case import LimitsMapCase
@@ -28,9 +27,7 @@ def cell(case: LimitsMapCase, length_ratio: float, depth_ratio: float) -> Limits
 def run(case: LimitsMapCase) -> xr.Dataset:
     """Dataset of kind `limits_map`."""
     cells = [(a, b) for a in case.length_over_draft for b in case.depth_over_draft]
-    jobs = (delayed(cell)(case, *one) for one in cells)
-    results = Parallel(n_jobs=-1, return_as="generator")(jobs)
-    found = list(progress(results, total=len(cells), label="limits"))
+    found = spread(cell, ((case, *one) for one in cells), "limits")
     shape = len(case.length_over_draft), len(case.depth_over_draft)
     data = {
         "length_over_draft": list(case.length_over_draft),

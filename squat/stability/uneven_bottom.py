@@ -6,15 +6,15 @@ after another, from ahead of the ship to astern of it. The current is that of Ou
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Annotated, Any, NamedTuple, TypeVar
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import xarray as xr
-from joblib import Parallel, delayed
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel import AnyHull, Channel, Rectangle
+from squat.cores import spread
 from squat.errors import InputError
 from squat.fluid.accuracy import LEVELS, Accuracy, Estimate, extrapolate
 from squat.fluid.direct import DirectEnergies
@@ -22,7 +22,6 @@ from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.ship import about_gravity, rigid_body
 from squat.mesh import submesh
 from squat.mesh.generate import generate
-from squat.progress import progress
 from squat.quantities import STRICT, Fraction, Position, Positive, Speed, Vector
 from squat.records import build
 from squat.records.bottom_kinds import UNEVEN_BOTTOM
@@ -32,7 +31,6 @@ from squat.stability.sampling import Ship, estimate
 from squat.water import Water
 
 MODES = ("heave", "pitch")
-Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -169,9 +167,10 @@ def run(case: UnevenBottomCase) -> xr.Dataset:
     """Dataset of kind `uneven_bottom`."""
     ramps = [case.over(case.rise, s, x) for s in case.steepness for x in case.places]
     slender = [case.slender(gap) for gap in case.gaps]
-    found = _each(lambda m: loads(m, case.accuracy, case.current), [*ramps, *slender], "loads")
+    places = ((model, case.accuracy, case.current) for model in [*ramps, *slender])
+    found = spread(loads, places, "loads")
     shelves = [case.over(r, case.rises_steepness, case.hull.length / 2) for r in case.rises]
-    limits = _each(lambda m: limit(m, case.accuracy, case.grounding), shelves, "limits")
+    limits = spread(limit, ((model, case.accuracy, case.grounding) for model in shelves), "limits")
     shape = len(case.steepness), len(case.places)
     data = {
         "steepness": list(case.steepness),
@@ -200,15 +199,6 @@ _LIMITS = (
     "squat_sinkage_1d",
     "squat_speed_complete",
 )
-
-
-def _each(
-    function: Callable[[LocalDepthModel], Result], models: list[LocalDepthModel], label: str
-) -> list[Result]:
-    """`function` of each model, over the cores."""
-    jobs = (delayed(function)(model) for model in models)
-    results = Parallel(n_jobs=-1, return_as="generator")(jobs)
-    return list(progress(results, total=len(models), label=label))
 
 
 def _columns(prefix: str, found: list[Loads], shape: tuple[int, ...]) -> dict[str, Any]:
