@@ -79,7 +79,7 @@ def _lines(
     worked: Callable[[Item], bool],
     log: logging.Logger,
 ) -> Iterator[Item]:
-    begin, shown, works = time.monotonic(), initial * _LINES // total, 0
+    begin, shown, works = time.monotonic(), initial * _LINES // max(total, 1), 0
     for done, item in enumerate(items, initial + 1):
         yield item
         works += worked(item)

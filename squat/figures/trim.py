@@ -42,8 +42,10 @@ def trim(data: xr.Dataset) -> Figure:
 def _with_error(data: xr.Dataset, limit: str, label: str) -> str:
     """The label with the limit's value, to the digits of its error where that is known."""
     value, error = float(data[limit]), float(data[f"{limit}_error"])
-    known = f" ± {error:.3f}" if np.isfinite(error) else ""
-    return f"{label}: {value:.3f}{known} m/s"
+    if not (np.isfinite(error) and error > 0):
+        return f"{label}: {value:.3f} m/s"
+    digits = max(2, -int(np.floor(np.log10(error))))
+    return f"{label}: {value:.{digits}f} ± {error:.{digits}f} m/s"
 
 
 def _mark(data: xr.Dataset, panels: np.ndarray) -> None:

@@ -70,7 +70,7 @@ class TrimCase:
     tolerance
         Of the bisection [m/s].
     arc, points
-        Step of the continuation [m] and most points of the branch.
+        Step of the continuation over the clearance at rest, and most points of the branch.
     """
 
     hull: AnyHull
@@ -87,3 +87,8 @@ class TrimCase:
     tolerance: Positive
     arc: Positive
     points: Count
+
+    @property
+    def step(self) -> float:
+        """Step of the continuation [m]."""
+        return self.arc * (self.channel.depth - self.hull.draft)

@@ -135,19 +135,21 @@ def _corrected(modes: Modes, guess: Vector, tangent: Vector, scale: Vector) -> V
 
 
 def fold(modes: Modes, near: Point) -> Point:
-    """Fold grad U = 0, det U'' = 0 near an equilibrium: the squat speed of n modes.
+    """Fold of the branch near an equilibrium, its greatest current: the squat speed of n modes.
 
-    Solved in (x, v, lambda): grad U = 0, U'' v = 0, |v| = 1, v the direction that gives way.
+    Solved in (x, v, lambda): grad U = 0, U'' v = 0, g . v = 1, with g along G_1 and v along the
+    branch. A fork, where another branch leaves, has det U'' = 0 as well but G_1 . v = 0: close by
+    as it may be, it solves none of this (Seydel, Practical Bifurcation and Stability Analysis).
     """
     n, x = len(near.position), near.position * modes.lengths
     strength, scale = near.current**2 / 2, np.abs(modes.jacobian(x, 0.0)[0, 0])
-    values, vectors = np.linalg.eigh(modes.jacobian(x, strength)[:, :-1])
-    v = vectors[:, np.argmin(np.abs(values))]
+    J = modes.jacobian(x, strength)
+    g, v = J[:, -1] / np.linalg.norm(J[:, -1]), np.linalg.svd(J)[2][-1][:n]
 
     def equations(z: Vector) -> Vector:
         x, v, strength = z[:n], z[n : 2 * n], z[-1]
         U2 = modes.jacobian(x, strength)[:, :-1]
-        return np.concatenate([modes.gradient(x, strength) / scale, U2 @ v / scale, [v @ v - 1]])
+        return np.concatenate([modes.gradient(x, strength) / scale, U2 @ v / scale, [g @ v - 1]])
 
-    found = root(equations, np.concatenate([x, v, [strength]]), tol=1e-12)
+    found = root(equations, np.concatenate([x, v / (g @ v), [strength]]), tol=1e-12)
     return modes.point(np.asarray(found.x[:n]), float(found.x[-1]))

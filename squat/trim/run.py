@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 
 from squat.channel import AnyHull, stretched
 from squat.dynamics.lagrangian import Lagrangian
+from squat.errors import InputError
 from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.ship import about_gravity, center_of_gravity, check_stability, rigid_body
 from squat.mesh import Mesh, MeshSize, PositionError, submesh
@@ -42,7 +43,7 @@ def run(case: TrimCase) -> xr.Dataset:
     region = _region(case, mesh)
     modes = Modes(ship.at_current, ship.lengths)
     points = _from_rest(case, modes)
-    limit = _fold(modes, points)
+    limit = _fold(case, modes, points)
     one = OneDimensionalModel(hull, case.channel, case.water).squat_speed()
     limits = _limits(case, ship, region, limit)
     data = {
@@ -63,11 +64,17 @@ def run(case: TrimCase) -> xr.Dataset:
 
 def _from_rest(case: TrimCase, modes: Modes) -> list[Point]:
     toward = np.array([0.0, 0.0, 1.0])
-    return branch(modes, np.zeros(2), 0.0, toward, case.arc, case.points)
+    return branch(modes, np.zeros(2), 0.0, toward, case.step, case.points)
 
 
-def _fold(modes: Modes, points: list[Point]) -> Point:
-    return fold(modes, max(points, key=lambda point: point.current))
+def _fold(case: TrimCase, modes: Modes, points: list[Point]) -> Point:
+    """Fold within two steps of the branch's greatest current; InputError where there is none."""
+    near = max(points, key=lambda point: point.current)
+    found = fold(modes, near)
+    apart = np.linalg.norm((found.position - near.position) * modes.lengths)
+    if not (found.current >= near.current and apart < 2 * case.step):
+        raise InputError(f"arc={case.arc:g}: no fold near the branch's greatest current; give less")
+    return found
 
 
 def _errors(case: TrimCase, hull: AnyHull, found: dict[str, Any]) -> dict[str, float]:
@@ -84,10 +91,10 @@ def _on(case: TrimCase, hull: AnyHull, size: MeshSize) -> list[float]:
         ship, mesh = _ship(case, hull, size)
         region, start = _region(case, mesh), _start(case)
         modes = Modes(ship.at_current, ship.lengths)
-        limit = _fold(modes, _from_rest(case, modes)).current
+        limit = _fold(case, modes, _from_rest(case, modes)).current
         safe = Barrier(ship.at_current, region, start).safe_speed(limit)
         return [limit, safe, _heave_alone(ship, region, start, limit)]
-    except PositionError:
+    except (PositionError, InputError):
         return [math.nan] * len(ESTIMATED)
 
 
@@ -138,15 +145,16 @@ def _branch(modes: Modes, points: list[Point]) -> dict[str, Any]:
 
 
 def _trimmed(modes: Modes, case: TrimCase, limits: dict[str, Any]) -> dict[str, Any]:
-    """Branch through the lowest pass, both ways; no points where the pass is no equilibrium."""
+    """Branch through the lowest pass, both ways, as far as V^2 >= 0; none from no equilibrium."""
     x = np.array([limits["saddle_heave"], limits["saddle_pitch"]]) * modes.lengths
     strength = limits["safe_speed"] ** 2 / 2
     ways = [
-        branch(modes, x, strength, sign * np.array([0.0, 0.0, 1.0]), case.arc, case.points)
+        branch(modes, x, strength, sign * np.array([0.0, 0.0, 1.0]), case.step, case.points)
         for sign in (-1, 1)
         if np.linalg.norm(modes.gradient(x, strength)) < _REST * abs(modes.jacobian(x, 0.0)).max()
     ]
-    points = [*ways[0][:0:-1], *ways[1]] if ways else []
+    both = [*ways[0][:0:-1], *ways[1]] if ways else []
+    points = [point for point in both if math.isfinite(point.current)]
     return {
         "trimmed_current": [p.current for p in points],
         "trimmed_heave": [p.position[0] for p in points],
