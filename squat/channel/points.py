@@ -17,6 +17,8 @@ from squat.quantities import STRICT, Length, Position, Vector
 
 Points = Annotated[tuple[tuple[Position, Position], ...], Field(min_length=3)]
 _WIDE = 1e7
+_NOTICED = 1e-3
+"""Part of the length whose loss is remarked on."""
 
 
 def _null_or(value: object, check: Callable[[object], Any]) -> Any:
@@ -66,6 +68,18 @@ class _Given(Hull):
         chain = np.concatenate([top[:1], lower, top[1:]])
         stretch = self.length / (chain[-1, 0] - chain[0, 0]), self.draft / self._depth(area)
         return np.asarray((chain - np.array([chain[0, 0], 0.0])) * np.array(stretch))
+
+    def remark(self) -> str:
+        """What the walls take off the wetted length as drawn, in words; empty: nothing."""
+        wetted = self._simple(self.curve()).intersection(box(-_WIDE, -_WIDE, _WIDE, 0.0))
+        drawn = wetted.bounds[2] - wetted.bounds[0]
+        kept = float(np.ptp(self._lower(self._simple(self.curve()))[:, 0]))
+        if kept > (1 - _NOTICED) * drawn:
+            return ""
+        return (
+            f"the hull is {kept:.6g} m long of {drawn:.6g} m drawn: vertical sides replace what "
+            f"lies above z = -hull.wall, hull.wall={self.wall:g} m; a smaller hull.wall= keeps more"
+        )
 
     def _lower(self, area: Area) -> Vector:
         """Chain of `area`, as drawn, from the foot of one wall to that of the other."""

@@ -95,6 +95,8 @@ def run_task(valid: Valid, path: Path) -> None:
         _log.info("%s: written", path)
         return
     records.claim(path)
+    if remark := getattr(getattr(valid.case, "hull", None), "remark", str)():
+        _log.info("%s", remark)
     if task == "transient":
         dataset = _transient(valid, path, started)
     elif task == "reduced":

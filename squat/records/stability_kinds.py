@@ -81,7 +81,7 @@ STABILITY = Kind(
         "limit_map": Variable(
             ("initial_heave", "initial_velocity"),
             "m s-1",
-            "dynamic squat speed of that start; its contours bound the basins",
+            "dynamic squat speed of that start; its contours bound the basins; NaN: out of reach",
         ),
         "squat_speed_1d": Variable((), "m s-1", "1D squat speed, Eq. (27)"),
         "squat_sinkage_1d": Variable((), "m", "w where its roots merge"),

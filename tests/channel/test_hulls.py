@@ -106,6 +106,15 @@ def test_sloped_sides_keep_their_points_below_the_walls():
     assert wedge.outline.area == pytest.approx(3 * 0.25 + 3 * 0.75 / 2)
 
 
+def test_walls_that_shorten_a_hull_are_remarked_on():
+    barge = ((0, 0), (0, -0.5), (12, -3.2), (100, -3.2), (110, -0.5), (110, 0))
+    cut = Polygon(points=barge, wall=1.0)
+    assert cut.length == pytest.approx(110 - 0.5 * (12 + 10) / 2.7)
+    assert "105.926 m long of 110 m drawn" in cut.remark()
+    assert "hull.wall=1 m;" in cut.remark()
+    assert Polygon(points=barge, wall=0.5).remark() == ""
+
+
 def test_a_curve_is_as_long_and_deep_as_its_chords():
     found = hull("curve")
     vertices = found.outline.vertices
