@@ -101,7 +101,7 @@ def table5_critical(data: xr.Dataset) -> LookUp:
         limit = 2 / (math.pi * a)
         met = row["depth_over_draft"].values[row["inertia_coefficient"].values <= limit]
         where = f"from H/T = {met.min():g} on" if met.size else "nowhere"
-        return Here(limit, f"m_add <= m {where} in Table 5", columns={"met": where})
+        return Here(limit, f"m_add <= m {where} in this row", columns={"met": where})
 
     return here
 

@@ -57,7 +57,7 @@ def test_lighter_water_than_ship_is_counted_by_the_critical_coefficient():
     found = table5_critical(table)({"a_over_T": "2"})
     assert found.value == pytest.approx(1 / math.pi)
     assert found.columns["met"] == "from H/T = 2 on"
-    assert found.note == "m_add <= m from H/T = 2 on in Table 5"
+    assert found.note == "m_add <= m from H/T = 2 on in this row"
     assert "3 of 4" in str(finding("rarely_satisfied", table5=table))
     assert math.isnan(table5_critical(table)({"a_over_T": "3"}).value)
 
