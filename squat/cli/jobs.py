@@ -1,6 +1,8 @@
 """A multirun as a whole: its jobs by name, their progress in one place, the failed ones."""
 
+import fcntl
 import logging
+import os
 import re
 import shutil
 import tempfile
@@ -8,6 +10,7 @@ import threading
 import traceback
 from collections import Counter, deque
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
@@ -124,9 +127,8 @@ class Board:
     """
 
     def __init__(self, sweep: Path, names: list[str]) -> None:
-        for old in sweep.glob(f"{_MARKS}*"):  # of a sweep that was killed
-            shutil.rmtree(old, ignore_errors=True)
-        self.folder = tempfile.TemporaryDirectory(dir=sweep, prefix=_MARKS)
+        _clear_marks(sweep)
+        self.folder, self._lock = _locked_marks(sweep)
         self._jobs = [sweep / name for name in names]
         self._total = len(names)
         self._seen: set[str] = set()
@@ -139,7 +141,9 @@ class Board:
         self._over.set()
         self._thread.join()
         self.folder.cleanup()
-        return any((job / sweeps.FAILED).exists() for job in self._jobs)
+        os.close(self._lock)
+        failed = any(name.split(".")[1] == "failed" for name in self._seen)
+        return failed or any((job / sweeps.FAILED).exists() for job in self._jobs)
 
     def _show(self) -> None:
         shown = progress(
@@ -157,15 +161,41 @@ class Board:
         return ", ".join(filter(None, [skipped, f"{failed} failed" if failed else ""]))
 
     def _ends(self) -> Iterator[str]:
-        seen = self._seen
+        seen, marks = self._seen, set[str]()
         while len(seen) < self._total:
             last = self._over.wait(_LOOK)
-            marks = {mark.name for mark in Path(self.folder.name).iterdir()}
+            with suppress(FileNotFoundError):  # somebody cleaned up: no job can tell its end
+                marks = {mark.name for mark in Path(self.folder.name).iterdir()}
             for name in sorted(marks - seen):
                 seen.add(name)
                 yield name
             if last:
                 return
+
+
+def _locked_marks(sweep: Path) -> tuple["tempfile.TemporaryDirectory[str]", int]:
+    """A new folder for marks and its handle, locked for as long as it is open."""
+    while True:
+        folder = tempfile.TemporaryDirectory(dir=sweep, prefix=_MARKS)
+        with suppress(FileNotFoundError):  # taken for a leftover before it is locked
+            handle = os.open(folder.name, os.O_RDONLY)
+            with suppress(OSError):  # a file system without locks has nothing cleared either
+                fcntl.flock(handle, fcntl.LOCK_EX)
+            if Path(folder.name).is_dir():
+                return folder, handle
+            os.close(handle)
+
+
+def _clear_marks(sweep: Path) -> None:
+    """Remove what sweeps left that were killed: their locks are gone."""
+    for old in sweep.glob(f"{_MARKS}*"):
+        with suppress(OSError):
+            handle = os.open(old, os.O_RDONLY)
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                shutil.rmtree(old, ignore_errors=True)
+            finally:
+                os.close(handle)
 
 
 def _worked(mark: str) -> bool:

@@ -25,6 +25,7 @@ from squat.config import CONF, validate
 from squat.config.compose import plain
 from squat.config.messages import condense
 from squat.errors import InputError
+from squat.records import BusyError
 from squat.sweeps import FAILED
 
 _log = logging.getLogger(__name__)
@@ -47,6 +48,7 @@ def main() -> None:
         _check_options(sys.argv[1:])
         _entry()
     except KeyboardInterrupt:
+        _report("interrupted; the same command goes on from here")
         sys.exit(INTERRUPTED)
     except TerminatedWorkerError:
         _report("a job was killed, for want of memory perhaps; the same command goes on from here")
@@ -100,7 +102,8 @@ def _entry(config: DictConfig) -> None:
         if not expected:
             line = f"unexpected {type(error).__name__}: {error}"
         if multirun:
-            note_failure(folder, error, line, expected)
+            if not isinstance(error, BusyError):  # the job may yet succeed, in another process
+                note_failure(folder, error, line, expected)
             line = f"{folder.name}: {line}"
         Jobs.failed, Jobs.outcome = True, "failed"
         _report(line)

@@ -2,6 +2,7 @@
 
 import logging
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
@@ -94,18 +95,25 @@ def run_task(valid: Valid, path: Path) -> None:
         resolve_name(FILES[task][1])(valid.case, path)
         _log.info("%s: written", path)
         return
-    records.claim(path)
-    if remark := getattr(getattr(valid.case, "hull", None), "remark", str)():
-        _log.info("%s", remark)
+    with records.claim(path):
+        if remark := getattr(getattr(valid.case, "hull", None), "remark", str)():
+            _log.info("%s", remark)
+        dataset = _written(valid, path, started)
+    _log.info("%s: written%s", path, ending(dataset, valid.case))
+
+
+def _written(valid: Valid, path: Path, started: float) -> xr.Dataset:
+    task = valid.settings.task
     if task == "transient":
-        dataset = _transient(valid, path, started)
-    elif task == "reduced":
+        return _transient(valid, path, started)
+    dataset: xr.Dataset
+    groups: Mapping[str, xr.Dataset] = {}
+    if task == "reduced":
         dataset, groups = resolve_name(GROUPED["reduced"])(valid.case)
-        records.save(dataset, path, valid.config, started, groups)
     else:
         dataset = resolve_name(DATASETS[task])(valid.case)
-        records.save(dataset, path, valid.config, started)
-    _log.info("%s: written%s", path, ending(dataset, valid.case))
+    records.save(dataset, path, valid.config, started, groups)
+    return dataset
 
 
 def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:

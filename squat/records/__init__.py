@@ -15,10 +15,11 @@ from squat.records.kinds import KINDS
 from squat.records.provenance import config_of, plain
 from squat.records.schema import Kind, Variable, build
 from squat.records.segments import Segments
-from squat.records.writing import atomic, claim
+from squat.records.writing import BusyError, atomic, claim
 
 __all__ = [
     "KINDS",
+    "BusyError",
     "Kind",
     "Segments",
     "Variable",

@@ -9,6 +9,11 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from squat.errors import InputError
+from squat.records.locks import lock, unlock
+
+
+class BusyError(InputError):
+    """Another run is writing the file."""
 
 
 @contextmanager
@@ -35,20 +40,33 @@ def atomic(path: Path) -> Iterator[Path]:
             os.close(handle)
 
 
-def claim(path: Path) -> None:
-    """Make the folder of `path`, and refuse at once what could not be written after a long run.
+@contextmanager
+def claim(path: Path) -> Iterator[None]:
+    """Make the folder of `path` and keep other runs from writing it meanwhile.
+
+    What could not be written after a long run is refused at once.
 
     Raises
     ------
+    BusyError
+        Another run is writing `path`.
     InputError
         Where the folder cannot be made or written to.
     """
+    place = path.with_name(f".{path.name}-lock")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        handle = lock(place)
+    except BlockingIOError:
+        raise BusyError(
+            f"{path}: another run is writing it; wait for it, or give another out="
+        ) from None
     except OSError as error:
         raise _unwritable(path, error) from error
-    if not os.access(path.parent, os.W_OK):
-        raise _unwritable(path, PermissionError(0, "the folder is read-only"))
+    try:
+        yield
+    finally:
+        unlock(place, handle)
 
 
 def _unwritable(path: Path, error: OSError) -> InputError:

@@ -1,13 +1,14 @@
 """Progress: the time left follows from work alone, skipped jobs are named with their ends."""
 
 import logging
+import time
 from pathlib import Path
 
 import pytest
 from tqdm import tqdm
 
 from squat import progress as module
-from squat.cli.jobs import Board
+from squat.cli.jobs import _LOOK, Board
 from squat.progress import progress
 
 SKIPPED, WORKED = 8, 2
@@ -64,7 +65,25 @@ def test_the_board_counts_skipped_jobs_by_how_they_ended(tmp_path, caplog):
         board = Board(tmp_path, names)
         for number, end in enumerate([*ends, "skipped.completed"]):
             (Path(board.folder.name) / f"{number}.{end}").touch()
-        assert not board.close()
+        assert board.close()
     assert caplog.records[-1].getMessage() == (
         "jobs: 6 of 6, 4 skipped (1 completed, 2 diverged, 1 iteration limit), 1 failed"
     )
+
+
+def test_a_board_clears_what_killed_sweeps_left_and_no_other(tmp_path):
+    (tmp_path / ".jobs-killed").mkdir()
+    first = Board(tmp_path, ["0"])
+    second = Board(tmp_path, ["0"])
+    assert sorted(tmp_path.iterdir()) == sorted(map(Path, (first.folder.name, second.folder.name)))
+    assert not first.close()
+    assert not second.close()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_board_without_its_folder_closes_in_peace(tmp_path):
+    board = Board(tmp_path, ["0"])
+    Path(board.folder.name).rmdir()
+    time.sleep(2 * _LOOK)
+    assert board._thread.is_alive()
+    assert not board.close()

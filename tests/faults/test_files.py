@@ -2,19 +2,22 @@
 
 import contextlib
 import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 
 from squat.cli.tasks import compute
 from squat.config import compose, validate
-from squat.records import read_whole
+from squat.records import claim, read_whole
 from squat.records.provenance import digest
 
 SQUAT = Path(sys.executable).parent / "squat"
 QUICK = "task=piston", "time.periods=0.3"
+REFUSED = "squat: run.nc: another run is writing it; wait for it, or give another out=\n"
 
 
 @pytest.fixture(scope="module")
@@ -79,9 +82,55 @@ def test_read_only_results_are_one_line_and_stay(tmp_path):
 
 def test_runs_that_write_the_same_output_leave_one_whole_file(tmp_path, expected):
     runs = [start(tmp_path, *QUICK, "out=run.nc") for _ in range(3)]
-    assert [end(run)[0] for run in runs] == [0, 0, 0]
+    codes, lines = zip(*map(end, runs), strict=True)
+    assert 0 in codes
+    for code, line in zip(codes, lines, strict=True):
+        assert code == 0 or (code == 2 and line.endswith(REFUSED)), line
     assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
     assert digest(read_whole(tmp_path / "run.nc")) == expected
+
+
+def test_a_run_in_progress_keeps_others_from_its_output_until_it_ends(tmp_path):
+    job = "-m", *QUICK, "piston.mass_ratio=0.5,2", "hydra.launcher.n_jobs=1"
+    sweep = tmp_path / "multirun/piston"
+    name = "piston.mass_ratio-{}__time.periods-0.3/piston.nc"
+    with claim(tmp_path / "run.nc"), claim(sweep / name.format(2)):
+        code, line = end(start(tmp_path, *QUICK, "out=run.nc"))
+        assert (code, line) == (2, REFUSED)
+        code, lines = end(start(tmp_path, *job))
+        assert code == 2
+        assert "piston.nc: another run is writing it;" in lines
+        assert (sweep / name.format(0.5)).is_file()
+        assert list(sweep.rglob("failed.txt")) == []
+    assert end(start(tmp_path, *QUICK, "out=run.nc"))[0] == 0
+    assert end(start(tmp_path, *job))[0] == 0
+    assert [path.name for path in tmp_path.rglob(".*")] == []
+
+
+def test_a_killed_run_holds_nothing(tmp_path):
+    source = "import time; from pathlib import Path; from squat.records import claim\n"
+    source += "with claim(Path('run.nc')): print(flush=True); time.sleep(600)"
+    victim = subprocess.Popen(
+        [sys.executable, "-c", source], cwd=tmp_path, stdout=subprocess.PIPE, text=True
+    )
+    victim.stdout.readline()
+    assert end(start(tmp_path, *QUICK, "out=run.nc")) == (2, REFUSED)
+    victim.kill()
+    victim.communicate()
+    assert end(start(tmp_path, *QUICK, "out=run.nc"))[0] == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
+
+
+def test_an_interrupted_run_says_so_in_one_line_and_goes_on(tmp_path):
+    words = "task=transient", "mesh=coarse", "accuracy.near=0.4", "restart.pause=0", "out=run.nc"
+    run = start(tmp_path, *words, "restart.interval=2", "log_level=warning")
+    while not list(tmp_path.glob("run.nc.parts/[!.]*")):
+        time.sleep(0.05)
+        assert run.poll() is None
+    run.send_signal(signal.SIGINT)
+    code, line = end(run)
+    assert (code, line) == (130, "squat: interrupted; the same command goes on from here\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["run.nc.parts"]
 
 
 def test_what_killed_writers_left_is_swept_and_what_others_write_is_not(tmp_path):

@@ -84,7 +84,8 @@ def light(valid, path):
     if task in _QUICK and getattr(getattr(case, "speeds", None), "points", 0) < 5000:
         run_task(valid, path)
         return
-    records.claim(path)
+    with records.claim(path):
+        pass
     if hasattr(case, "hull") and hasattr(case, "channel"):
         coarse = submesh(case.hull, case.channel)
         if isinstance(getattr(case, "mesh", None), MeshSize):
