@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator, NullFormatter
 from matplotlib.tri import Triangulation
 
 from squat import published
-from squat.figures.style import BLUE, GREEN, PALETTE, RED, single
+from squat.figures.style import BLUE, GREEN, PALETTE, RED, depth_axis, single, stretch
 
 _TITLES = {"surge": "surge", "heave": "heave", "pitch": "pitch (bow down)"}
 
@@ -38,7 +38,8 @@ def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str)
         if len(places):
             axes.clabel(lines, fmt="%g", fontsize=7, manual=places)
     axes.plot(x[edges].T, z[edges].T, color=BLUE, lw=1.2)
-    axes.set(aspect="equal", ylabel="$z$ [m]", xlim=window)
+    axes.set_xlim(window)
+    depth_axis(axes, stretch(window[1] - window[0], float(np.ptp(z))))
     axes.set_title(f"{_TITLES[mode]}: $p$ per unit acceleration [{unit}]", fontsize=10)
     axes.grid(visible=False)
 

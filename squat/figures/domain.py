@@ -6,7 +6,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
-from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, single
+from squat.figures.style import (
+    BLUE,
+    GREEN,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    depth_axis,
+    single,
+    stretch,
+)
 from squat.quantities import Vector
 
 COLORS = {"In": BLUE, "Out": GREEN, "Botm": ORANGE, "FreeS": SKY, "Ship": RED}
@@ -20,21 +30,20 @@ def edges(data: xr.Dataset, name: str) -> tuple[Vector, Vector]:
 
 
 def scene(axes: Axes, data: xr.Dataset) -> None:
-    """The boundaries in their colours, equal scales, room around."""
+    """The boundaries in their colours, room around."""
     for name, color in COLORS.items():
         x, z = edges(data, name)
         axes.plot(x, z, color=color, lw=3, solid_capstyle="round")
     span, height = np.ptp(data["node_x"].values), np.ptp(data["node_z"].values)
-    axes.set_aspect("equal")
     axes.set(xlim=_margin(data["node_x"], 0.06 * span), ylim=_margin(data["node_z"], 0.45 * height))
     axes.set_xlabel("distance from the bow $x$ [m]")
-    axes.set_ylabel("height $z$ [m]")
+    depth_axis(axes, stretch(span, height), "height $z$")
 
 
 def panel(data: xr.Dataset) -> tuple[Figure, Axes]:
-    """A figure as high as the channel in it demands at equal scales."""
+    """A figure as high as the channel in it demands."""
     span, height = np.ptp(data["node_x"].values), np.ptp(data["node_z"].values)
-    return single(8.0, float(np.clip(12.5 * height / span + 1.2, 2.8, 10)))
+    return single(8.0, float(np.clip(12.5 * stretch(span, height) * height / span + 1.2, 2.8, 10)))
 
 
 def fig3(data: xr.Dataset) -> Figure:
@@ -44,12 +53,12 @@ def fig3(data: xr.Dataset) -> Figure:
     water = Triangulation(data["node_x"].values, data["node_z"].values, faces)
     axes.tripcolor(water, np.zeros(len(faces)), cmap="Blues", vmin=-1, vmax=6)
     scene(axes, data)
-    span = np.ptp(data["node_x"].values)
+    span, height = np.ptp(data["node_x"].values), np.ptp(data["node_z"].values)
     for name, (dx, dz) in {
         "In": (-0.03, 0),
         "Out": (0.03, 0),
-        "Botm": (0, -3),
-        "Ship": (0, 2),
+        "Botm": (0, -0.15 * height),
+        "Ship": (0, 0.1 * height),
     }.items():
         x, z = edges(data, name)
         axes.text(
@@ -65,7 +74,12 @@ def fig3(data: xr.Dataset) -> Figure:
     ship = edges(data, "Ship")[0]
     for part in (x < ship.mean(), x > ship.mean()):
         axes.text(
-            x[part].mean(), z.max() + 3, "FreeS", color=COLORS["FreeS"], ha="center", va="center"
+            x[part].mean(),
+            z.max() + 0.15 * height,
+            "FreeS",
+            color=COLORS["FreeS"],
+            ha="center",
+            va="center",
         )
     axes.text(0.5 * (x.min() + ship.min()), 0.5 * z.max(), r"$\Omega$", fontsize=14, va="center")
     axes.set_title("fluid domain $\\Omega$ and its boundaries", fontsize=10)
@@ -81,7 +95,7 @@ def fig8(data: xr.Dataset) -> Figure:
     top, keel = edges(data, "FreeS")[1].max(), ship_z.min()
     surface = ship_x[ship_z == top]
     bow, stern = surface.min(), surface.max()
-    deck, low = top + 0.2 * (top - keel) + 1, float(data["bed_z"].min()) - 0.3 * top
+    deck, low = top + 0.15 * top, float(data["bed_z"].min()) - 0.3 * top
     _measure(axes, (bow, deck), (stern, deck), f"$L$ = {stern - bow:.4g} m")
     _measure(axes, (left, low), (bow, low), f"$D_{{in}}$ = {bow - left:.4g} m")
     _measure(axes, (stern, low), (right, low), f"$D_{{out}}$ = {right - stern:.4g} m")

@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
-from squat.figures.style import BLUE, ORANGE, RED
+from squat.figures.style import BLUE, ORANGE, RED, depth_axis, stretch
 
 
 def fine(axes: Axes, data: xr.Dataset, prefix: str = "node") -> None:
@@ -79,10 +79,9 @@ def mesh_quality(data: xr.Dataset) -> Figure:
 
 
 def _channel(axes: Axes) -> None:
-    axes.set_aspect("equal")
     axes.grid(visible=False)
     axes.set_xlabel("$x$ [m]")
-    axes.set_ylabel("$z$ [m]")
+    depth_axis(axes, stretch(axes.dataLim.width, axes.dataLim.height))
 
 
 def _place(data: xr.Dataset) -> str:

@@ -16,6 +16,8 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#56B4E9",
 )
 PALETTE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000")
+_LONGEST = 8.0
+"""Width over height of a channel that is drawn with equal scales, about."""
 CYCLE = cycler(linestyle=["-", "--", ":"]) * cycler(color=PALETTE)
 """Lines that differ in colour first, then in dashes."""
 SETTINGS: Any = {
@@ -34,3 +36,16 @@ def single(width: float = 6.4, height: float = 4.4) -> tuple[Figure, Axes]:
     """A figure of one panel; sizes in inches."""
     figure = Figure(figsize=(width, height), layout="constrained")
     return figure, figure.add_subplot()
+
+
+def stretch(width: float, height: float) -> int:
+    """How many times heights are stretched in a picture of a long, shallow channel; 1: not."""
+    return max(1, round(width / height / _LONGEST))
+
+
+def depth_axis(axes: Axes, times: int, name: str = "$z$") -> None:
+    """Equal scales, but for heights `times` times stretched, which a note says."""
+    axes.set_aspect(times)
+    axes.set_ylabel(f"{name} [m]")
+    if times > 1:
+        axes.text(1, 1.02, f"heights × {times}", transform=axes.transAxes, ha="right", size=8)

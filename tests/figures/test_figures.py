@@ -13,6 +13,7 @@ from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
 from squat.figures.energy import energy_audit
 from squat.figures.labels import of_ships
+from squat.figures.mesh import fig6
 from squat.figures.transient import fig11, fig12
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
@@ -33,6 +34,20 @@ def test_labels_of_isovalues_stay_apart_and_off_the_hull(case, hull):
         assert len(places) > 4
         assert all(np.linalg.norm(rim - place, axis=1).min() > 1 for place in places)
         assert all(np.linalg.norm(a - b) > 1 for a, b in combinations(places, 2))
+
+
+BARGE = ("hull.length=110.0", "hull.draft=3.2", "channel.depth=4.5", "channel.upstream=110.0")
+
+
+@pytest.mark.parametrize("draw", [fig3, fig6, fig8])
+def test_heights_of_long_shallow_channels_are_stretched_and_a_note_says_so(case, draw):
+    places = ("position.heave=-0.2", "position.pitch=0.0")
+    wide = draw(mesh(case("mesh", "mesh=coarse", *BARGE, *places))).axes[0]
+    assert wide.get_aspect() == round((110 + 110 + 60) / 4.5 / 8)
+    assert f"heights × {wide.get_aspect():g}" in [text.get_text() for text in wide.texts]
+    plain = draw(mesh(case("mesh", "mesh=coarse"))).axes[0]
+    assert plain.get_aspect() == 1
+    assert not any("heights" in text.get_text() for text in plain.texts)
 
 
 @pytest.mark.parametrize("draw", [fig3, fig8])
