@@ -1,6 +1,7 @@
 """`squat task=difference`: what two runs do not have in common."""
 
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 from pydantic.dataclasses import dataclass
@@ -39,5 +40,12 @@ def difference(first: Path, second: Path) -> pd.DataFrame:
 def write_difference(case: DifferenceCase, path: Path) -> None:
     """Print the difference, and write it to `path` as CSV."""
     frame = difference(*map(Path, case.runs))
-    print(frame.to_string(index=False, na_rep="-") if len(frame) else "no difference")
+    shown = frame.apply(_short, axis=1, result_type="broadcast")
+    print(shown.to_string(index=False, na_rep="-") if len(frame) else "no difference")
     records.save_table(frame, path)
+
+
+def _short(row: "pd.Series[Any]") -> list[object]:
+    """A row with numbers of six digits, or of all where six would make them equal."""
+    short = [f"{value:.6g}" if isinstance(value, float) else value for value in row]
+    return short if short[1] != short[2] else list(row.astype(str))

@@ -3,6 +3,7 @@
 import gc
 import json
 import logging
+import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -48,14 +49,20 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
 
 
 def files(places: Iterable[Path]) -> Iterator[Path]:
-    """NetCDF files in `places`, hidden ones left out."""
+    """NetCDF files in `places`, those that are hidden, or in hidden folders, left out."""
     for place in places:
         if not place.exists():
             raise InputError(f"runs={place}: no such file or folder; give where the runs lie")
         if place.is_file():
             yield place
         else:
-            yield from sorted(p for p in place.rglob("*.nc") if not p.name.startswith("."))
+            yield from sorted(_below(place))
+
+
+def _below(folder: Path) -> Iterator[Path]:
+    for root, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        yield from (Path(root, n) for n in names if n.endswith(".nc") and not n.startswith("."))
 
 
 def _row(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:

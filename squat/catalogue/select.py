@@ -13,11 +13,16 @@ _CALLS = ("isin", "isna", "notna", "between", "abs", "contains", "startswith", "
 """Methods of columns that a condition may call: none that writes, reads or runs anything."""
 _GRAMMAR = ("and", "or", "not", "in", "True", "False", "None")
 _QUOTED = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`""")
+_ASSIGNED = re.compile(r"(?<![=<>!])=(?!=)")
+_LISTED = 12
+"""Names of columns that a message has room for."""
 _WORD = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`|[^\W\d][\w.]*""")
 
 
 def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd.DataFrame:
     """Rows of `frame` that satisfy `where`, sorted by the columns `sort` (``-name``: descending).
+
+    Without `sort` they are sorted by the configured numbers that vary, kind by kind.
 
     Raises
     ------
@@ -33,10 +38,22 @@ def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd
         frame = found
     names = [name.removeprefix("-") for name in sort]
     _known(names, frame, "sort")
-    if names:
+    if not names:
+        frame = frame.loc[_by_numbers(frame)]
+    else:
         ascending = [not name.startswith("-") for name in sort]
         frame = frame.sort_values(names, ascending=ascending, kind="stable")
     return frame.reset_index(drop=True)
+
+
+def _by_numbers(frame: pd.DataFrame) -> pd.Index:
+    numbers = [
+        name
+        for name in varying(frame)
+        if not name.startswith(RESULT) and pd.api.types.is_numeric_dtype(frame[name])
+    ]
+    keys = frame[["kind", *numbers]].assign(kind=pd.factorize(frame["kind"])[0])
+    return keys.sort_values(["kind", *numbers], kind="stable").index
 
 
 def columns(frame: pd.DataFrame, names: Sequence[str]) -> pd.DataFrame:
@@ -61,19 +78,30 @@ def varying(frame: pd.DataFrame) -> list[str]:
 
 
 def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:
+    if _ASSIGNED.search(_QUOTED.sub("''", where)):
+        return "= compares nothing; give =="
     names = [str(name) for name in frame.columns]
     for word in _WORD.findall(where):
         asked = word.strip("`")
         known = any(asked == name or asked.startswith(f"{name}.") for name in names)
         if not (known or word.startswith(("'", '"')) or word in _GRAMMAR):
-            near = difflib.get_close_matches(asked, names, n=1, cutoff=0.8)
-            hint = f"; did you mean {near[0]}?" if near else ""
-            return (
-                f"{asked} is no column{hint} (text is quoted, as in 'status == \"diverged\"'); "
-                f"give one of {', '.join(names)}"
-            )
+            return _unknown(asked, names)
     reason = str(error).splitlines()[0]
     return f"{reason}; give a condition like 'status == \"diverged\"' on columns of the table"
+
+
+def _unknown(asked: str, names: Sequence[str]) -> str:
+    """What to say of a column that there is not: those of its group, or the first of all."""
+    choice = [name for name in names if name in (f"{asked}.name", f"{asked}.shape")]
+    near = choice or difflib.get_close_matches(asked, names, n=1, cutoff=0.8)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    group = asked.partition(".")[0]
+    listed = [name for name in names if name.startswith(f"{group}.")] or list(names)
+    rest = ", ...; the file of squat task=catalogue has all" if len(listed) > _LISTED else ""
+    return (
+        f"{asked} is no column{hint} (text is quoted, as in 'status == \"diverged\"'); "
+        f"give one of {', '.join(listed[:_LISTED])}{rest}"
+    )
 
 
 def _quoted(where: str, frame: pd.DataFrame) -> str:

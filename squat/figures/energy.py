@@ -1,12 +1,14 @@
 """The energy of ship, water and the channel's ends: what Fig. 13 shows, and what it leaves out."""
 
 import json
+from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from squat.figures.labels import of_ships
 from squat.figures.style import PALETTE
 from squat.quantities import Vector
 
@@ -27,16 +29,16 @@ def energy_audit(*runs: xr.Dataset) -> Figure:
     """Both balances of the first run, term by term, and what either leaves over in all runs."""
     figure = Figure(figsize=(9.0, 7.6), layout="constrained")
     panels = figure.subplot_mosaic([["ship", "whole"], ["rest", "rest"]])
-    first = runs[0]
+    first, labels = runs[0], of_ships(runs)
     time = first["time"].values
     _balance(panels["ship"], time, _terms(first, _SHIP))
     panels["ship"].set_title("Fig. 13: the ship alone", fontsize=10)
     ends = {"minus work of the ends": -first["end_work"].values}
     _balance(panels["whole"], time, {**_terms(first, _WHOLE), **ends})
     panels["whole"].set_title("ship, water and the channel's ends", fontsize=10)
-    _left_over(panels["rest"], runs)
-    speed = f"$V_\\infty$ = {first.attrs['current']:g} m/s"
-    figure.suptitle(f"Energy since $t$ = 0: {speed}, {_label(first)}", fontsize=11)
+    _left_over(panels["rest"], runs, labels)
+    shown = labels[0] if len(runs) > 1 else f"{labels[0]}, {_settings(first)}"
+    figure.suptitle(f"Energy since $t$ = 0: {shown}", fontsize=11)
     return figure
 
 
@@ -55,14 +57,14 @@ def _balance(axes: Axes, time: Vector, terms: dict[str, Vector]) -> None:
     axes.legend(fontsize=8, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.18))
 
 
-def _left_over(axes: Axes, runs: tuple[xr.Dataset, ...]) -> None:
+def _left_over(axes: Axes, runs: Sequence[xr.Dataset], labels: Sequence[str]) -> None:
     """|sum| of both balances over m g T."""
-    for run, color in zip(runs, PALETTE, strict=False):
+    for run, name, color in zip(runs, labels, PALETTE, strict=False):
         config = json.loads(run.attrs["config"])
         weight = float(run["ship_mass"]) * config["water"]["gravity"] * config["hull"]["draft"]
         alone = np.sum(list(_terms(run, _SHIP).values()), axis=0)
         for values, style, label in (
-            (run["energy_residual"].values, "-", _label(run)),
+            (run["energy_residual"].values, "-", name),
             (alone, ":", None),
         ):
             share = np.abs(values[1:]) / weight
@@ -75,6 +77,6 @@ def _left_over(axes: Axes, runs: tuple[xr.Dataset, ...]) -> None:
     axes.legend(fontsize=8, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.18))
 
 
-def _label(run: xr.Dataset) -> str:
+def _settings(run: xr.Dataset) -> str:
     model = "" if run.attrs["model"] == "full" else f", {run.attrs['model']}"
     return f"{run.attrs['force']} force, {run.attrs['coupling']}{model}"

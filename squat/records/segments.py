@@ -53,6 +53,11 @@ class Segments:
         """Segments of the run that will write `path`."""
         return Segments(path.with_name(path.name + ".parts"), make)
 
+    @property
+    def out(self) -> Path:
+        """What the run will write."""
+        return self.folder.with_suffix("")
+
     def write(self, begin: int, end: int, content: Any) -> None:
         """Keep `content` of the steps after `begin` up to `end`; InputError where it cannot be."""
         structure, leaves = flatten(content)

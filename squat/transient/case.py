@@ -91,6 +91,11 @@ class TransientCase:
             raise InputError(f"snapshots={self.snapshots}: model={self.model} has no field; give 0")
         if self.model == "curves" and len(self.modes) > 1:
             raise InputError("model=curves: holds heave alone; give model=full, or modes=[heave]")
+        if self.inputs.reduced is not None and self.model != "reduced":
+            raise InputError(
+                f"inputs.reduced={self.inputs.reduced}: model={self.model} has no use for it; "
+                "give model=reduced"
+            )
         self._check_modes()
 
     def _check_modes(self) -> None:

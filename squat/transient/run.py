@@ -47,8 +47,8 @@ def run(case: TransientCase, segments: Segments | None = None) -> Result:
         history.extend(segment.content)
     if not history.rows:
         history.begin(start(case, parts))
-    elif history.steps:
-        _log.info("going on from step %d of %d", history.steps, case.time.steps)
+    elif segments and history.steps:
+        _log.info("%s: going on from step %d of %d", segments.out, history.steps, case.time.steps)
     steps = _stretches(history, segments)
     for step in progress(steps, case.time.steps, "time steps", history.steps):
         history.take(step)

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import squat as api
-from squat.catalogue import find, select, varying
+from squat.catalogue import DifferenceCase, find, select, varying, write_difference
 from squat.catalogue.difference import difference
 from squat.errors import InputError
 from squat.figures.compare import CompareCase, draw, write_compare
@@ -53,6 +53,17 @@ def test_conditions_take_dotted_names_and_order_is_as_asked(runs):
     assert len(select(find([runs]), "kind == 'piston.mass_ratio'")) == 0
 
 
+def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searched(tmp_path):
+    numbers = (1.0, 2.0, 2.25, 2.5, 10.0)
+    for number in numbers:
+        run = api.run("piston", "time.periods=0.1", f"piston.mass_ratio={number}")
+        for folder in (tmp_path / f"ratio-{number:g}", tmp_path / f".venv/{number:g}"):
+            folder.mkdir(parents=True)
+            run.to_netcdf(folder / "piston.nc", engine="h5netcdf")
+    assert tuple(select(find([tmp_path]))["piston.mass_ratio"]) == numbers
+    assert len(find([tmp_path / ".venv"])) == len(numbers)
+
+
 @pytest.mark.parametrize(
     ("where", "sort", "message"),
     [
@@ -69,6 +80,10 @@ def test_conditions_take_dotted_names_and_order_is_as_asked(runs):
         ("`no such` > 1 and kind == 'x y'", [], r": no such is no column "),
         ("kind == piston", [], r": piston is no column \(text is quoted, as in 'status == "),
         ("piston.mas_ratio > 1", [], r"mas_ratio is no column; did you mean piston.mass_ratio\?"),
+        ("`no` == 1", [], r": no is no column .*; the file of squat task=catalogue has all"),
+        ("time == 1", [], r": time is no column .*; give one of time.periods, time.\w+$"),
+        ("accelerator == 'none'", [], r"or is no column; did you mean accelerator.name\?"),
+        ("status = 'a=b'", [], r"where=status = 'a=b': = compares nothing; give =="),
         ("kind ==", [], r"where=kind ==: invalid syntax"),
         ("kind.isin(['piston']) and status >", [], r": invalid syntax"),
         ("", ["mass_ratio"], r"sort=mass_ratio: no run has it; give piston.mass_ratio"),
@@ -101,6 +116,21 @@ def test_difference_is_empty_for_a_run_and_itself_and_names_what_differs(runs):
     assert found.loc["status"].tolist() == ["converged", "diverged"]
     keys = [key for key in found.index if not key.startswith("result.")]
     assert sorted(keys) == ["piston.mass_ratio", "status"]
+
+
+def test_the_difference_is_printed_in_short_and_never_as_equal(tmp_path, capsys):
+    files = []
+    for name, ratio in (("a", 2.25), ("b", 2.5), ("c", 2.25000001)):
+        run = api.run("piston", "time.periods=0.1", f"piston.mass_ratio={ratio}")
+        files.append(str(tmp_path / f"{name}.nc"))
+        run.to_netcdf(files[-1], engine="h5netcdf")
+    one, two, close = files
+    for other, shown in ((two, ["2.25", "2.5"]), (close, ["2.25", "2.25000001"])):
+        write_difference(DifferenceCase(runs=(one, other)), tmp_path / "d.csv")
+        lines = capsys.readouterr().out.splitlines()
+        assert ["piston.mass_ratio", *shown] in [line.split() for line in lines]
+    write_difference(DifferenceCase(runs=(one, one)), tmp_path / "d.csv")
+    assert capsys.readouterr().out == "no difference\n"
 
 
 def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):

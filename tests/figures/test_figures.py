@@ -85,6 +85,15 @@ def test_energy_audit_says_all_it_shows(case, tmp_path):
     assert len(figure.axes[-1].lines) == 4
 
 
+def test_energy_audit_names_runs_by_what_differs(sailed):
+    deep, shallow = sailed("current=2"), sailed("current=2", "hull.draft=8")
+    figure = energy_audit(deep, shallow)
+    names = [text.get_text() for text in figure.axes[-1].get_legend().get_texts()]
+    assert names == ["draft = 10", "draft = 8"]
+    assert figure.get_suptitle() == "Energy since $t$ = 0: draft = 10"
+    assert "printed" in energy_audit(deep).get_suptitle()
+
+
 def test_pressure_that_a_run_does_not_hold_is_not_drawn(case):
     keys = "mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", "model=curves"
     run = transient.run(case("transient", *keys, "force=variational", "coupling=energy_momentum"))

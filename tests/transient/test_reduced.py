@@ -94,6 +94,11 @@ def test_model_of_another_mesh_is_refused_by_name(ship, file):
         run(ship("model=reduced", "mesh.near=1.5", f'inputs.reduced="{file}"'))
 
 
+def test_model_that_would_go_unused_is_refused(ship):
+    with pytest.raises(InputError, match=r"^inputs.reduced=model.nc: model=full .*model=reduced$"):
+        ship("inputs.reduced=model.nc")
+
+
 def test_history_does_not_depend_on_who_made_the_model(ship, file):
     keys = (*COMMON, "model=reduced")
     stored = run(ship(*keys, f'inputs.reduced="{file}"')).dataset

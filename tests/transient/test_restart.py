@@ -126,7 +126,7 @@ def test_the_killed_command_goes_on_and_leaves_one_file(made, tmp_path, squat):
     victim.wait()
     done = squat(*command)
     assert done.returncode == 0, done.stderr
-    assert "going on from step" in done.stderr
+    assert "run.nc: going on from step" in done.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
     undisturbed = run(validate(compose("transient", *given)).case).dataset
     assert read(tmp_path / "run.nc").attrs["content_sha256"] == digest(undisturbed)
