@@ -99,7 +99,9 @@ def _portrait(axes: Axes, data: xr.Dataset) -> None:
         axes.contour(
             heave, velocity, energy, levels, colors="0.7", linewidths=0.8, linestyles="solid"
         )
-    axes.contour(heave, velocity, energy, [own], colors=BLUE, linewidths=1.4, linestyles="solid")
+    reach = _reach(potential <= own, heave, start[0])
+    axes.contour(heave[reach], velocity, energy[:, reach], [own], colors=BLUE, linewidths=1.4,
+                 linestyles="solid")  # fmt: skip
     for way, label in ((1, "separatrix"), (-1, None)):
         axes.plot(loop, way * edge, color=RED, lw=1.8, label=label)
     axes.plot([], [], color=BLUE, lw=1.4, label="energy of the start")
@@ -111,6 +113,14 @@ def _portrait(axes: Axes, data: xr.Dataset) -> None:
     limit = float(data["dynamic_squat_speed"])
     end = "is lost" if speed >= limit else "turns"
     axes.set_title(f"$V_\\infty$ = {speed:g} m/s: the start {end}", fontsize=10)
+
+
+def _reach(admitted: np.ndarray, heave: np.ndarray, start: float) -> slice:
+    """The positions that the energy admits without a gap from `start`, and one more either way."""
+    inside, outside = np.flatnonzero(admitted), np.flatnonzero(~admitted)
+    here = inside[np.abs(heave[inside] - start).argmin()]
+    low = outside[outside < here].max(initial=0)
+    return slice(low, outside[outside > here].min(initial=len(heave) - 1) + 1)
 
 
 def limits(data: xr.Dataset) -> Figure:
@@ -130,7 +140,7 @@ def limits(data: xr.Dataset) -> Figure:
     for name in ("1d", "2d"):
         axes.plot(float(data[f"squat_speed_{name}"]), float(data[f"squat_sinkage_{name}"]), "k.")
     bottom = _bottom(data)
-    axes.axhspan(bottom - 0.6, bottom, color="0.85", lw=0)
+    axes.axhspan(bottom - 0.6, bottom, color="0.85", lw=0, label="below the bottom")
     axes.set(xlim=(speed[0], speed[-1]), ylim=(bottom - 0.6, 0.6))
     axes.set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
     axes.set_ylabel("vertical position $w$ [m]")

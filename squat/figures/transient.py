@@ -86,7 +86,8 @@ def fig12(run: xr.Dataset) -> Figure:
     )
     speed = run.attrs["current"]
     one = float(keel_pressure(water["density"], speed, channel["depth"], gap))
-    axes.axhline(one / 1000, color=RED, ls="--", label="1D, uniform under the hull")
+    ends = run["hull_x"].values.min(), run["hull_x"].values.max()
+    axes.plot(ends, [one / 1000] * 2, color=RED, ls="--", label="1D, uniform under the hull")
     axes.set_xlabel("$x$ from the bow [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")
     title = f"$V_\\infty$ = {speed:g} m/s, $\\omega t$ = {float(end['phase']):.2f}"

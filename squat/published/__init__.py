@@ -3,6 +3,6 @@
 Nothing else in the code or the configuration repeats a printed result.
 """
 
-from squat.published.reader import Printed, claims, layout, table
+from squat.published.reader import Printed, claims, layout, table, units
 
-__all__ = ["Printed", "claims", "layout", "table"]
+__all__ = ["Printed", "claims", "layout", "table", "units"]

@@ -61,6 +61,14 @@ def table(name: str) -> list[Printed]:
     return [Printed({"quantity": row[0]}, row[1]) for row in frame.itertuples(index=False)]
 
 
+def units(name: str) -> dict[str, str]:
+    """Units of a table's quantities, those with one; empty for tables of one quantity."""
+    frame = _read(_FILES[name]) if name in _FILES else pd.DataFrame()
+    if "unit" not in frame:
+        return {}
+    return {row["quantity"]: row["unit"] for _, row in frame.iterrows() if row["unit"] != "1"}
+
+
 def layout(name: str) -> tuple[str, ...]:
     """Keys of a table: the one down the page, and the one across where there is one."""
     return _ACROSS.get(name) or tuple(table(name)[0].keys)

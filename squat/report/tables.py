@@ -70,10 +70,14 @@ def grid(name: str, frame: pd.DataFrame) -> Grid:
     cells = {_place(row, keys): _cell(row) for row in rows}
     heads = list(dict.fromkeys(place[1] for place in cells))
     lines = list(dict.fromkeys(place[0] for place in cells))
+    units = {line: f" [{unit}]" for line, unit in published.units(name).items()}
     return Grid(
         corner=" \\ ".join(map(symbol, keys)),
         heads=[symbol(head) for head in heads] if len(keys) > 1 else ["printed, ours"],
-        rows=[(symbol(line), [cells.get((line, head)) for head in heads]) for line in lines],
+        rows=[
+            (symbol(line) + units.get(line, ""), [cells.get((line, head)) for head in heads])
+            for line in lines
+        ],
         notes=[
             (symbol(", ".join(filter(None, place))), cell.note)
             for place, cell in cells.items()

@@ -99,6 +99,7 @@ def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, resul
     environment.filters |= {"short": short, "symbol": symbol}
     environment.filters["sentence"] = lambda text: text if text.endswith(("?", ".")) else f"{text}."
     environment.filters["slug"] = lambda text: re.sub(r"\W+", "-", str(text))
+    paper, _, doi = PAPER.partition("doi:")
     template = environment.from_string(package.joinpath("page.html.j2").read_text("utf-8"))
     return template.render(
         style=package.joinpath("style.css").read_text("utf-8"),
@@ -106,6 +107,7 @@ def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, resul
         rows={verdict: verdicts[verdicts["verdict"] == verdict] for verdict in VERDICTS},
         total=count(list(verdicts["verdict"])),
         provenance=provenance(results),
-        paper=PAPER,
+        paper=paper,
+        doi=doi,
         version=squat.__version__,
     )

@@ -1,5 +1,6 @@
 """What a reader would complain of: labels over lines, titles cut off."""
 
+import json
 from itertools import combinations
 
 import numpy as np
@@ -14,9 +15,11 @@ from squat.figures.domain import fig3, fig8
 from squat.figures.energy import energy_audit
 from squat.figures.labels import of_ships
 from squat.figures.mesh import fig6
+from squat.figures.stability import phase_portrait
 from squat.figures.transient import fig11, fig12
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
+from squat.stability.portrait import run as stability
 
 DEEP = "channel.bottom=[[-10,0],[10,4],[30,4],[60,-15]]"
 
@@ -145,3 +148,23 @@ def test_pitch_has_a_row_and_titles_tell_what_differs(sailed):
     printed = sailed("current=2", "coupling=consistent_quasi_newton")
     assert of_ships([two, printed]) == ["coupling = printed", "coupling = consistent_quasi_newton"]
     assert of_ships([two]) == ["$V_\\infty$ = 2 m/s"]
+
+
+def test_the_1d_pressure_ends_at_bow_and_stern(sailed):
+    (axes,) = fig12(sailed("current=1")).axes
+    assert axes.lines[1].get_label().startswith("1D")
+    assert np.allclose(axes.lines[1].get_xdata(), [0, 40])
+
+
+def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(case):
+    """A slow ship's energy also admits places beyond the barrier, which it cannot reach."""
+    keys = "stability", "mesh=coarse", "portrait=small"
+    data = stability(case(*keys)).assign_attrs(config=json.dumps(compose(*keys)))
+    slow = data.isel(case_speed=0)
+    heave, potential = slow["heave"].values, slow["potential"].values
+    own = np.interp(float(data["start_heave"]), heave, potential)
+    barrier = float(slow["case_unstable"])
+    assert (potential <= own)[heave < barrier].any()
+    curve = phase_portrait(data).axes[0].collections[-1]
+    found = np.vstack([path.vertices for path in curve.get_paths()])
+    assert found[:, 0].min() > barrier

@@ -15,7 +15,7 @@ from squat.figures.files import save
 from squat.records.stability_kinds import CONVERGENCE
 from squat.report import write_report
 from squat.report.provenance import digest
-from tests.report.page import Page
+from tests.report.page import DOI, Page
 
 HOW = {"refinement": 2.0, "safety": 1.25}
 ESTIMATES = {
@@ -117,3 +117,15 @@ def test_provenance_depends_on_physics_and_not_on_paths():
     moved = {**config, "out": "elsewhere.nc", "inputs": {**config["inputs"], "mesh": "other.nc"}}
     assert digest(moved) == digest(config)
     assert digest({**config, "current": 2.0}) != digest(config)
+
+
+def test_the_page_names_units_one_note_and_the_papers_address(results, report):
+    table = results / "tables" / "table6.csv"
+    frame = pd.read_csv(table, dtype=str, keep_default_na=False)
+    frame.loc[0, ["verdict", "note"]] = [DIFFERS, "deeper"]
+    frame.to_csv(table, index=False)
+    write_report(report(results), results / "report.html")
+    page = Page(results / "report.html")
+    assert [link for link in page.links if link.startswith("http")] == [DOI]
+    assert "V_inf_min [m/s]" in page.text
+    assert "Note on 1 cell</summary>" in page.text
