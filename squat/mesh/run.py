@@ -2,7 +2,6 @@
 
 import re
 
-import numpy as np
 import xarray as xr
 
 from squat.mesh.case import MeshCase
@@ -23,9 +22,8 @@ def make(case: MeshCase, modes: tuple[str, ...] = ("surge", "heave", "pitch")) -
 
 def run(case: MeshCase) -> xr.Dataset:
     """Dataset of kind `mesh`; raises InputError where the shown position is inadmissible."""
-    place = case.position
     coarse = submesh(case.hull, case.channel)
-    q = np.array([place.surge, place.heave, place.pitch])
+    q = case.position.over(coarse.limits.clearance, case.hull.outline.length)
     try:
         coarse.check(q)
     except PositionError as error:

@@ -65,6 +65,13 @@ def test_figure_is_drawn_from_the_record_alone(stored, name):
     assert isinstance(FIGURES[name][1](stored("hull=v")), Figure)
 
 
+def test_shown_position_follows_the_clearance_unless_it_is_given(case):
+    found = run(case("mesh", "mesh=coarse", "channel.depth=12.0"))
+    assert float(found["moved_heave"]) == pytest.approx(-1.0)
+    assert float(found["moved_pitch"]) == pytest.approx(0.01)
+    assert float(run(case("mesh", "mesh=coarse", "position.heave=-2.0"))["moved_heave"]) == -2
+
+
 def test_shown_position_out_of_range_is_refused_by_name(case):
     with pytest.raises(
         InputError, match=r"^position\.heave=-12 position\.pitch=0\.05: grounded, clearance -"
