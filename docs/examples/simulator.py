@@ -13,15 +13,17 @@ import time
 
 import rerun as rr
 
+from squat import InputError
 from squat.reduced import Simulator, State
 
 STEP = 0.02  # s
-DURATION = 60.0  # s
+DURATION = 120.0  # s
+RAMP = 60.0  # s: slow against L/V, in which the water passes the ship
 
 
 def current(t: float) -> float:
-    """V [m/s]: from 1.0 to 1.8 within ten seconds."""
-    return 1.4 - 0.4 * math.cos(math.pi * min(t, 10.0) / 10.0)
+    """V [m/s]: from 1.0 to 1.8 within a minute."""
+    return 1.4 - 0.4 * math.cos(math.pi * min(t, RAMP) / RAMP)
 
 
 def log(stream: rr.RecordingStream, state: State) -> None:
@@ -58,7 +60,10 @@ def main() -> None:
     if given.viewer or given.save:
         stream = rr.RecordingStream("squat_simulator")
         stream.spawn() if given.viewer else stream.save(given.save)
-    state, factor = run(given.model, stream, live=given.viewer)
+    try:
+        state, factor = run(given.model, stream, live=given.viewer)
+    except InputError as error:
+        parser.exit(2, f"{error}\n")
     if stream is not None:
         stream.flush()
     print(f"heave {state.heave:.3f} m, clearance {state.clearance:.3f} m after {state.time:.0f} s")

@@ -38,6 +38,16 @@ def test_example_ends_where_the_simulator_does_without_a_stream(root, model):
     example = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(example)
     state, _ = example.run(str(model), None, live=False)
-    assert state.time == pytest.approx(60)
+    assert state.time == pytest.approx(example.DURATION)
     assert not state.grounded
+    assert state.heave < -0.5  # the faster current has drawn it down
     assert example.run(str(model), None, live=False)[0] == state
+
+
+def test_example_says_in_one_line_what_is_wrong_with_a_file(root, tmp_path):
+    script = root / "docs" / "examples" / "simulator.py"
+    command = [sys.executable, str(script), str(tmp_path / "absent.nc")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 2
+    assert len(done.stderr.splitlines()) == 1
+    assert "absent.nc" in done.stderr
