@@ -2,6 +2,7 @@
 
 from squat.catalogue.difference import DifferenceCase, write_difference
 from squat.catalogue.find import RESULT, find
+from squat.catalogue.headlines import units
 from squat.catalogue.select import columns, select, varying
 from squat.catalogue.task import CatalogueCase, write_catalogue
 
@@ -12,6 +13,7 @@ __all__ = [
     "columns",
     "find",
     "select",
+    "units",
     "varying",
     "write_catalogue",
     "write_difference",

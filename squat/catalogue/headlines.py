@@ -54,6 +54,13 @@ _OF_KIND: Mapping[str, tuple[Callable[[File], Headline], ...]] = {
 }
 
 
+def units(figure: str, file: File) -> str | None:
+    """Units of the variable that the headline `figure` is taken from; None for a mere count."""
+    variables = file.variables
+    names = [name for name in variables if figure == name or figure.startswith(f"{name}_")]
+    return str(variables[max(names, key=len)].attrs["units"]) if names else None
+
+
 def headline(kind: str, file: File) -> Headline:
     """All real scalars of `file`, and for some kinds extremes of series and diagonals."""
     found = _scalars(file)

@@ -29,6 +29,11 @@ def _compose(task: str, *overrides: str) -> dict[str, Any]:
     return validate(compose(task, *overrides)).config
 
 
+def compare(case: Any, path: Path) -> None:
+    """Picture of chosen runs; units of configuration keys are known here."""
+    resolve_name("squat.figures:write_compare")(case, path, unit)
+
+
 DATASETS = {
     "piston": "squat.piston:run",
     "iterations": "squat.piston:study",
@@ -59,7 +64,7 @@ FILES = {
     "figure": (".png", "squat.figures:write_figure"),
     "catalogue": (".parquet", "squat.catalogue:write_catalogue"),
     "difference": (".csv", "squat.catalogue:write_difference"),
-    "compare": (".png", "squat.figures:write_compare"),
+    "compare": (".png", "squat.cli.tasks:compare"),
     "report": (".html", "squat.report:write_report"),
     "replay": (".rrd", "squat.replay.write:write_replay"),
 }

@@ -1,8 +1,9 @@
 """Chosen runs in one picture: a variable over time, or a headline figure over a key."""
 
 import logging
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import matplotlib as mpl
 import pandas as pd
@@ -21,6 +22,10 @@ from squat.quantities import STRICT
 
 _log = logging.getLogger(__name__)
 _USUAL = {"transient": "heave", "piston": "position"}
+Units = Callable[[str, str], str | None]
+"""Units of a configured key, by the kind of the run and the key."""
+_DONE = ("completed", "converged", "turned")
+"""How runs end that have a result; kinds that have no status always do."""
 _LINE = 0.17  # in, height of a line of the legend
 _KEYS = ("variable", "over")
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
@@ -50,7 +55,11 @@ class CompareCase:
     over: str | None
 
 
-def write_compare(case: CompareCase, path: Path) -> None:
+def _no_units(kind: str, key: str) -> None:
+    """Nobody told."""
+
+
+def write_compare(case: CompareCase, path: Path, units: Units = _no_units) -> None:
     """Write the picture to `path` (.png) and beside it as .svg."""
     places = (case.runs,) if isinstance(case.runs, str) else case.runs
     table = catalogue.select(catalogue.find([Path(place) for place in places]), case.where)
@@ -61,16 +70,18 @@ def write_compare(case: CompareCase, path: Path) -> None:
     if variable is None:
         raise InputError("variable=None: runs of this kind have no usual one; give variable=NAME")
     with mpl.rc_context(SETTINGS):
-        save(draw(table, variable, case.over), path)
+        save(draw(table, variable, case.over, units), path)
 
 
-def draw(table: pd.DataFrame, variable: str, over: str | None) -> Figure:
+def draw(table: pd.DataFrame, variable: str, over: str | None, units: Units = _no_units) -> Figure:
     """The picture of the runs in `table` (of `catalogue.find`) that have what is asked for."""
     figure, axes = single(7.0, 4.0)
     wanted = list(filter(None, (variable, over)))
     if over is not None and set(wanted) <= set(table.columns):
         kept = _kept(table, table[wanted].notna().all(axis=1), wanted)
         _points(axes, kept, variable, over)
+        axes.set_xlabel(_column(over, kept, units))
+        axes.set_ylabel(_column(variable, kept, units))
     else:
         held = table["file"].map(lambda file: set(wanted) <= _variables(file))
         kept = _kept(table, held, wanted)
@@ -109,22 +120,41 @@ def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> 
         if values.ndim != 1:
             raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
         across = data[over or values.dims[0]]
-        axes.plot(across.values, values.values, label=label)
+        alone = "o" if values.notna().sum() == 1 else None
+        axes.plot(across.values, values.values, marker=alone, label=label)
         axes.set_xlabel(_axis(across.attrs["long_name"], across.attrs["units"]))
         axes.set_ylabel(_axis(values.attrs["long_name"], values.attrs["units"]))
 
 
 def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
-    """A headline figure over a key; a line for each combination of the other keys that vary."""
+    """A headline figure over a key; a line for each combination of the other keys that vary.
+
+    Runs that failed are open markers: what they hold is the state in which they stopped.
+    """
     keys = [name for name in telling(table) if name not in (variable, over)]
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_prop_cycle(CYCLE)
     for values, group in groups:
-        ordered = group.sort_values(over)
         label = named(dict(zip(keys, values, strict=True)))
-        axes.plot(ordered[over], ordered[variable], marker="o", ms=4, label=label)
-    axes.set_xlabel(over)
-    axes.set_ylabel(variable)
+        done = group["status"].isna() | group["status"].isin(_DONE)
+        ordered = group[done].sort_values(over)
+        shown = label if done.any() else None
+        (line,) = axes.plot(ordered[over], ordered[variable], marker="o", ms=4, label=shown)
+        for status, failed in group[~done].groupby("status"):
+            name = ": ".join(filter(None, [label, str(status)]))
+            look: Any = {"ls": "", "marker": "o", "mfc": "none", "color": line.get_color()}
+            axes.plot(failed[over], failed[variable], ms=4, label=name, **look)
+
+
+def _column(name: str, table: pd.DataFrame, units: Units) -> str:
+    """A column of the catalogue with its units, where they are known."""
+    first = table.iloc[0]
+    if name.startswith(catalogue.RESULT):
+        with File(first["file"], "r") as file:
+            found = catalogue.units(name.removeprefix(catalogue.RESULT), file)
+    else:
+        found = units(first["kind"], name)
+    return name if found is None else _axis(name, found)
 
 
 def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:

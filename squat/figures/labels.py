@@ -17,11 +17,13 @@ def telling(table: pd.DataFrame, *first: str) -> list[str]:
     """The fewest configured keys that tell apart what all of them do.
 
     A key that names a choice comes before what it stands for, and the choice before its parts;
-    before all come those that are asked for `first`.
+    before all come those that are asked for `first`, and at the end those that some runs lack.
     """
 
     def place(name: str) -> int:
-        return -1 if name in first else name.count(".") if _names(name) else _LAST
+        if name in first:
+            return -1
+        return name.count(".") if _names(name) else _LAST + int(table[name].isna().any())
 
     kept: list[str] = []
     groups = 1
