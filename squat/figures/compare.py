@@ -120,7 +120,7 @@ def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> 
         if values.ndim != 1:
             raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
         across = data[over or values.dims[0]]
-        alone = "o" if values.notna().sum() == 1 else None
+        alone = "o" if pd.notna(values.values).sum() == 1 else None
         axes.plot(across.values, values.values, marker=alone, label=label)
         axes.set_xlabel(_axis(across.attrs["long_name"], across.attrs["units"]))
         axes.set_ylabel(_axis(values.attrs["long_name"], values.attrs["units"]))
