@@ -75,6 +75,16 @@ def test_limits_hold_what_a_finer_set_of_meshes_says(case):
     assert (fine["limit_error"] < 2e-6).all()
 
 
+def test_captions_of_the_report_state_the_extrapolated_limits(case):
+    contents = case("report", "results=none").contents
+    found = limits.run(case("limits", "accuracy=study")).set_index(limit="limit")["limit_speed"]
+    text = next(block.text for block in contents.blocks if block.figure == "limits")
+    two, dynamic = (f"{float(found.sel(limit=name)):.3f}" for name in ("2D", "dynamic"))
+    assert f"they are {two} (2D) and {dynamic} m/s (dynamic" in text
+    trimmed = next(block.text for block in contents.blocks if block.figure == "trim")
+    assert f"extrapolated {two} and {dynamic} m/s" in trimmed
+
+
 def test_a_speed_above_the_limits_is_answered_too(case):
     data = limits.run(case("limits", *QUICK, "current=2.5"))
     assert math.isnan(data["least_clearance"])
