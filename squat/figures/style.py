@@ -48,4 +48,12 @@ def depth_axis(axes: Axes, times: int, name: str = "$z$") -> None:
     axes.set_aspect(times)
     axes.set_ylabel(f"{name} [m]")
     if times > 1:
-        axes.text(1, 1.02, f"heights × {times}", transform=axes.transAxes, ha="right", size=8)
+        axes.annotate(
+            f"heights × {times}",
+            (1, 1),
+            (0, 3),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            ha="right",
+            size=8,
+        )
