@@ -123,7 +123,8 @@ def test_a_killed_run_holds_nothing(tmp_path):
 
 def test_an_interrupted_run_says_so_in_one_line_and_goes_on(tmp_path):
     words = "task=transient", "mesh=coarse", "accuracy.near=0.4", "restart.pause=0", "out=run.nc"
-    run = start(tmp_path, *words, "restart.interval=2", "log_level=warning")
+    words += "restart.interval=2", "time.periods=100", "log_level=warning"
+    run = start(tmp_path, *words)
     while not list(tmp_path.glob("run.nc.parts/[!.]*")):
         time.sleep(0.05)
         assert run.poll() is None
