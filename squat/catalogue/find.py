@@ -4,7 +4,7 @@ import gc
 import json
 import logging
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +46,14 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
         _log.warning("%s: passed over, not readable (%s)", path, error)
     frame = pd.DataFrame(rows)
     return frame[[*FIXED, *(name for name in frame.columns if name not in FIXED)]]
+
+
+def places(runs: str | Sequence[str]) -> list[Path]:
+    """`runs` as paths; InputError for an empty name, which would be the folder one is in."""
+    names = [runs] if isinstance(runs, str) else list(runs)
+    if not all(names):
+        raise InputError("runs: a name is empty; give folders or files, '.' for this folder")
+    return [Path(name) for name in names]
 
 
 def files(places: Iterable[Path]) -> Iterator[Path]:

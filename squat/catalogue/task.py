@@ -7,7 +7,7 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import records
-from squat.catalogue.find import find
+from squat.catalogue.find import find, places
 from squat.catalogue.select import columns, select
 from squat.quantities import STRICT
 
@@ -35,15 +35,10 @@ class CatalogueCase:
     sort: tuple[str, ...]
     columns: tuple[str, ...]
 
-    @property
-    def places(self) -> list[Path]:
-        """`runs` as paths."""
-        return [Path(self.runs)] if isinstance(self.runs, str) else [Path(p) for p in self.runs]
-
 
 def write_catalogue(case: CatalogueCase, path: Path) -> None:
     """Print the chosen rows and columns; write the chosen rows with all columns to `path`."""
-    frame = select(find(case.places), case.where, case.sort)
+    frame = select(find(places(case.runs)), case.where, case.sort)
     parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
     for part in parts:
         shown = columns(part, case.columns)

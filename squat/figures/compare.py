@@ -61,8 +61,7 @@ def _no_units(kind: str, key: str) -> None:
 
 def write_compare(case: CompareCase, path: Path, units: Units = _no_units) -> None:
     """Write the picture to `path` (.png) and beside it as .svg."""
-    places = (case.runs,) if isinstance(case.runs, str) else case.runs
-    table = catalogue.select(catalogue.find([Path(place) for place in places]), case.where)
+    table = catalogue.select(catalogue.find(catalogue.places(case.runs)), case.where)
     if table.empty:
         raise InputError(f"where={case.where}: no run is left; loosen the condition")
     usual = (_USUAL[kind] for kind in table["kind"] if kind in _USUAL)

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import squat as api
-from squat.catalogue import DifferenceCase, find, select, varying, write_difference
+from squat.catalogue import DifferenceCase, find, places, select, varying, write_difference
 from squat.catalogue.difference import difference
 from squat.config.units import unit
 from squat.errors import InputError
@@ -248,3 +248,9 @@ def test_the_command_writes_both_pictures(runs, squat, tmp_path):
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "compare.png").read_bytes().startswith(b"\x89PNG")
     assert "<svg" in (tmp_path / "compare.svg").read_text()
+
+
+@pytest.mark.parametrize("runs", ["", ("deep", "")])
+def test_an_empty_name_is_no_folder(runs):
+    with pytest.raises(InputError, match="runs: a name is empty; give folders or files"):
+        places(runs)
