@@ -124,7 +124,10 @@ def test_a_killed_run_holds_nothing(tmp_path):
 def test_an_interrupted_run_says_so_in_one_line_and_goes_on(tmp_path):
     words = "task=transient", "mesh=coarse", "accuracy.near=0.4", "restart.pause=0", "out=run.nc"
     words += "restart.interval=2", "time.periods=100", "log_level=warning"
+    # Where the tests themselves were started in the background, their children would ignore it.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     run = start(tmp_path, *words)
+    signal.signal(signal.SIGINT, before)
     while not list(tmp_path.glob("run.nc.parts/[!.]*")):
         time.sleep(0.05)
         assert run.poll() is None
