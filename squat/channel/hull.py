@@ -49,6 +49,10 @@ class Hull(ABC):
     def section(self) -> Vector:
         """Wetted chain (n, 2) from the bow's water line point to the stern's."""
 
+    def remark(self) -> str:
+        """What a user should be told of the section, in a line; empty: nothing."""
+        return ""
+
     @property
     def outline(self) -> Outline:
         """The section as a checked polygon; raises InputError where it is none."""

@@ -71,9 +71,9 @@ class _Given(Hull):
 
     def remark(self) -> str:
         """What the walls take off the wetted length as drawn, in words; empty: nothing."""
-        wetted = self._simple(self.curve()).intersection(box(-_WIDE, -_WIDE, _WIDE, 0.0))
-        drawn = wetted.bounds[2] - wetted.bounds[0]
-        kept = float(np.ptp(self._lower(self._simple(self.curve()))[:, 0]))
+        area = self._simple(self.curve())
+        left, _, right, _ = area.intersection(box(-_WIDE, -_WIDE, _WIDE, 0.0)).bounds
+        drawn, kept = right - left, float(np.ptp(self._lower(area)[:, 0]))
         if kept > (1 - _NOTICED) * drawn:
             return ""
         return (

@@ -101,7 +101,8 @@ def run_task(valid: Valid, path: Path) -> None:
         _log.info("%s: written", path)
         return
     with records.claim(path):
-        if remark := getattr(getattr(valid.case, "hull", None), "remark", str)():
+        hull = getattr(valid.case, "hull", None)
+        if hull is not None and (remark := hull.remark()):
             _log.info("%s", remark)
         dataset = _written(valid, path, started)
     _log.info("%s: written%s", path, ending(dataset, valid.case))
