@@ -32,11 +32,15 @@ def _iterations(file: File) -> Headline:
     return {"iterations_mean": float(counts.mean()), "iterations_max": int(counts.max())}
 
 
+def _diagonal(file: File, matrix: str) -> Headline:
+    """Diagonal of a matrix over the modes, by the names of the figures."""
+    modes = np.asarray(file.variables["mode_i"][...]).astype(str)
+    entries = np.asarray(file.variables[matrix][...])
+    return {f"added_mass_{mode}": entries[i, i] for i, mode in enumerate(modes)}
+
+
 def _matrix(file: File) -> Headline:
-    """Diagonal of the added-mass matrix, by the name of the mode."""
-    modes = [str(name) for name in np.asarray(file.variables["mode_i"][...]).astype(str)]
-    values = np.asarray(file.variables["added_mass"][...])
-    return {f"added_mass_{mode}": values[i, i] for i, mode in enumerate(modes)}
+    return _diagonal(file, "added_mass")
 
 
 def _scalars(file: File) -> Headline:
@@ -57,6 +61,9 @@ _OF_KIND: Mapping[str, tuple[Callable[[File], Headline], ...]] = {
 def units(figure: str, file: File) -> str | None:
     """Units of the variable that the headline `figure` is taken from; None for a mere count."""
     variables = file.variables
+    entries = _diagonal(file, "entry_units") if "entry_units" in variables else {}
+    if figure in entries:
+        return str(np.asarray(entries[figure]).astype(str))
     names = [name for name in variables if figure == name or figure.startswith(f"{name}_")]
     return str(variables[max(names, key=len)].attrs["units"]) if names else None
 

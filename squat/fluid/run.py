@@ -15,7 +15,7 @@ from squat.mesh import MeshSize, submesh
 from squat.mesh.generate import generate
 from squat.quantities import STRICT
 from squat.records import build
-from squat.records.added_mass_kinds import ADDED_MASS
+from squat.records.added_mass_kinds import ADDED_MASS, entry_units, pressure_units
 from squat.water import Water
 
 
@@ -68,6 +68,8 @@ def run(case: AddedMassCase) -> xr.Dataset:
         "mode_i": raw.names,
         "mode_j": raw.names,
         "mode": raw.names,
+        "entry_units": entry_units(raw.names),
+        "pressure_units": pressure_units(raw.names),
         "added_mass": rho * value,
         "added_mass_error": rho * error,
         "added_mass_mesh": rho * raw.matrix,

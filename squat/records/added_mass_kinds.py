@@ -1,10 +1,27 @@
 """Kinds of datasets about the added mass of a hull."""
 
+from collections.abc import Sequence
+
 from squat.records.schema import Kind, Variable
 
 MATRIX = ("mode_i", "mode_j")
 MASS = "kg m-1"
 ENTRIES = "; kg with one rotation, kg m with two"
+ENTRY_UNITS = Variable(MATRIX, "1", "units of each entry of the matrices", False, label=True)
+_BY_ROTATIONS = ("kg m-1", "kg", "kg m")
+
+
+def entry_units(modes: Sequence[str]) -> list[list[str]]:
+    """Units of the entries of an added-mass matrix over `modes`: pitch is the one rotation."""
+    turns = [mode == "pitch" for mode in modes]
+    return [[_BY_ROTATIONS[i + j] for j in turns] for i in turns]
+
+
+def pressure_units(modes: Sequence[str]) -> list[str]:
+    """Units of p_j, pressure over acceleration, of `modes`."""
+    return ["kg m-1" if mode == "pitch" else "kg m-2" for mode in modes]
+
+
 ADDED_MASS = Kind(
     "added_mass",
     1,
@@ -13,6 +30,7 @@ ADDED_MASS = Kind(
         "mode_i": Variable(("mode_i",), "1", "mode that the force acts on"),
         "mode_j": Variable(("mode_j",), "1", "mode that accelerates"),
         "mode": Variable(("mode",), "1", "mode that accelerates"),
+        "entry_units": ENTRY_UNITS,
         "added_mass": Variable(MATRIX, MASS, f"added mass, extrapolated{ENTRIES}"),
         "added_mass_error": Variable(MATRIX, MASS, f"absolute error of added_mass{ENTRIES}"),
         "added_mass_mesh": Variable(MATRIX, MASS, f"added mass on the given mesh{ENTRIES}"),
@@ -24,6 +42,9 @@ ADDED_MASS = Kind(
         "inertia_coefficient_mesh": Variable((), "1", "i on the given mesh"),
         "ship_mass": Variable((), MASS, "mass of the displaced water"),
         "mass_ratio": Variable((), "1", "m_add/m of heave, extrapolated"),
+        "pressure_units": Variable(
+            ("mode",), "1", "units of each mode's pressure", False, label=True
+        ),
         "pressure": Variable(
             ("mode", "node"), "kg m-2", "p_j of Eq. (25) per unit acceleration; kg m-1 for rotation"
         ),

@@ -19,12 +19,14 @@ class Variable:
     """One variable of a dataset: its dimensions, UDUNITS string and CF long name.
 
     What may be not finite says so in its long name: "; NaN: none", "; inf: deep water".
+    A `label` is an auxiliary coordinate: it follows what is selected from other variables.
     """
 
     dims: tuple[str, ...]
     units: str
     long_name: str
     required: bool = True
+    label: bool = False
 
     def unexplained(self, values: NDArray[Any]) -> float | None:
         """First of `values` that is not finite and that the long name does not explain."""
@@ -102,8 +104,11 @@ def build(
         )
         for name, values in data.items()
     }
-    coordinates = {name for name in variables if (name,) == variables[name].dims}
-    coordinates |= {name for name in ("phase",) if name in variables}
+    coordinates = {
+        name
+        for name, variable in variables.items()
+        if variable.dims == (name,) or kind.variables[name].label
+    }
     dataset = xr.Dataset(
         {name: value for name, value in variables.items() if name not in coordinates},
         {name: variables[name] for name in coordinates},

@@ -1,6 +1,6 @@
 """The kind of dataset that holds a coupled run."""
 
-from squat.records.added_mass_kinds import ENTRIES, MASS, MATRIX
+from squat.records.added_mass_kinds import ENTRIES, ENTRY_UNITS, MASS, MATRIX
 from squat.records.schema import Kind, Variable
 
 _TIME = ("time",)
@@ -11,7 +11,7 @@ TRANSIENT = Kind(
     "Coupled motion of a ship in a current",
     {
         "time": Variable(_TIME, "s", "time of the accepted steps"),
-        "phase": Variable(_TIME, "1", "omega t, the paper's axis"),
+        "phase": Variable(_TIME, "1", "omega t, the paper's axis", label=True),
         "heave": Variable(_TIME, "m", "heave w, positive up"),
         "heave_velocity": Variable(_TIME, "m s-1", "heave velocity"),
         "heave_acceleration": Variable(_TIME, "m s-2", "heave acceleration"),
@@ -101,6 +101,7 @@ TRANSIENT = Kind(
         "axis": Variable(("axis",), "1", "names of the coordinates"),
         "mode_i": Variable(("mode_i",), "1", "mode that the force acts on"),
         "mode_j": Variable(("mode_j",), "1", "mode that accelerates"),
+        "entry_units": ENTRY_UNITS,
         "added_mass_matrix": Variable(
             MATRIX, MASS, f"m_add of Eq. (23) at rest, about the centre of gravity{ENTRIES}"
         ),

@@ -10,6 +10,7 @@ from squat.fluid.model import EnergyModel, Noted
 from squat.mesh import MODES
 from squat.quantities import Vector
 from squat.records import build
+from squat.records.added_mass_kinds import entry_units
 from squat.records.transient_kinds import TRANSIENT
 from squat.transient.audit import audit, energies
 from squat.transient.case import TransientCase
@@ -51,6 +52,7 @@ def dataset(history: History) -> xr.Dataset:
         "axis": ["x", "z"],
         "mode_i": list(case.modes),
         "mode_j": list(case.modes),
+        "entry_units": entry_units(case.modes),
         "added_mass_matrix": parts.added_mass,
         "added_mass": parts.added_mass[case.place, case.place],
         "ship_mass": case.mass,

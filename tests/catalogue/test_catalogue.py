@@ -190,6 +190,17 @@ def test_axes_have_the_units_that_are_known(runs):
     assert axes.get_xlabel() == "piston.length [m]"
 
 
+def test_an_entry_of_a_matrix_has_its_own_units(tmp_path):
+    run = api.run("added_mass", "mesh=coarse", "accuracy=coarse")
+    run.to_netcdf(tmp_path / "added_mass.nc", engine="h5netcdf")
+    labels = []
+    for mode in ("heave", "pitch"):
+        variable = f"result.added_mass_{mode}"
+        (axes,) = draw(find([tmp_path]), variable, "hull.draft", unit).axes
+        labels.append(axes.get_ylabel())
+    assert labels == ["result.added_mass_heave [kg m-1]", "result.added_mass_pitch [kg m]"]
+
+
 def test_a_run_of_one_point_is_seen(tmp_path):
     keys = "mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", "current=1"
     for name in ("printed", "printed_standard"):

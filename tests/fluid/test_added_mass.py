@@ -172,6 +172,10 @@ def test_record_has_the_promised_names(case):
     assert list(data["mode_i"].values) == ["surge", "heave", "pitch", "bending_1"]
     assert data["added_mass"].dims == ("mode_i", "mode_j")
     assert data["pressure"].dims == ("mode", "node")
+    assert data["added_mass"].sel(mode_i="heave", mode_j="surge").entry_units == "kg m-1"
+    assert data["added_mass"].sel(mode_i="heave", mode_j="pitch").entry_units == "kg"
+    assert data["added_mass_error"].sel(mode_i="pitch", mode_j="pitch").entry_units == "kg m"
+    assert list(data["pressure"].pressure_units.values) == ["kg m-2", "kg m-2", "kg m-1", "kg m-2"]
     assert 0 < data.attrs["residual"] < 1e-9
     raw = abs(data["added_mass_mesh"] - data["added_mass"])
     assert bool((raw <= data["added_mass_mesh_error"]).all())
