@@ -27,7 +27,7 @@ FIXED = ["file", "kind", "status"]
 def find(places: Iterable[Path]) -> pd.DataFrame:
     """One row for every file of squat's in `places` (files, or folders searched to any depth).
 
-    Columns are `FIXED`, the configuration under dotted keys, and the headline figures under
+    Columns are `FIXED`, the configuration under dotted keys, then the headline figures under
     ``result.``. NetCDF files of others are passed over, broken ones named in a warning.
 
     Raises
@@ -45,7 +45,8 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
     for path, error in broken.items():
         _log.warning("%s: passed over, not readable (%s)", path, error)
     frame = pd.DataFrame(rows)
-    return frame[[*FIXED, *(name for name in frame.columns if name not in FIXED)]]
+    rest = sorted(frame.columns.drop(FIXED), key=lambda name: name.startswith(RESULT))
+    return frame[[*FIXED, *rest]]
 
 
 def places(runs: str | Sequence[str]) -> list[Path]:

@@ -59,13 +59,14 @@ def _by_numbers(frame: pd.DataFrame) -> pd.Index:
 def columns(frame: pd.DataFrame, names: Sequence[str]) -> pd.DataFrame:
     """The columns `names`, or where none are given those that tell the runs apart.
 
-    A run alone has nobody to differ from: its headline figures are shown.
+    What follows from the name of a choice (`coupling.name`) is left out then. A run alone has
+    nobody to differ from: its headline figures are shown.
     """
     _known(names, frame, "columns")
     alone = [
         name for name in frame.columns if name.startswith(RESULT) and frame[name].notna().all()
     ]
-    return frame[list(names) or [*FIXED, *(varying(frame) if len(frame) > 1 else alone)]]
+    return frame[list(names) or [*FIXED, *(_telling(frame) if len(frame) > 1 else alone)]]
 
 
 def varying(frame: pd.DataFrame) -> list[str]:
@@ -75,6 +76,20 @@ def varying(frame: pd.DataFrame) -> list[str]:
         for name in frame.columns
         if name not in FIXED and len(frame[name].drop_duplicates()) > 1
     ]
+
+
+def _telling(frame: pd.DataFrame) -> list[str]:
+    """What varies, but for the parts of a choice that its name implies."""
+    names = varying(frame)
+    choices = [name for name in names if name.endswith(".name")]
+    implied = {
+        name
+        for choice in choices
+        for name in names
+        if name.startswith(choice.removesuffix("name"))
+        and len(frame[[choice, name]].drop_duplicates()) == frame[choice].nunique(dropna=False)
+    }
+    return [name for name in names if name not in implied.difference(choices)]
 
 
 def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:

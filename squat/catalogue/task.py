@@ -1,8 +1,11 @@
 """`squat task=catalogue`: the table of runs, printed, and kept as parquet."""
 
+import shutil
+import sys
 from pathlib import Path
 from typing import Annotated
 
+import pandas as pd
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
@@ -27,7 +30,8 @@ class CatalogueCase:
     sort
         Columns to sort by, ``-name`` descending.
     columns
-        Columns to print; empty: kind by kind those that differ. The file has all.
+        Columns to print; empty: kind by kind those that differ, as far as the terminal is wide.
+        The file has all.
     """
 
     runs: str | Paths
@@ -42,7 +46,23 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
     parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
     for part in parts:
         shown = columns(part, case.columns)
-        print(shown.to_string(index=False, na_rep="-", float_format="{:.6g}".format), end="\n\n")
-    print(f"{len(frame)} runs")
+        fitting = shown if case.columns or not sys.stdout.isatty() else _fitting(shown)
+        print(_text(fitting))
+        if left := shown.columns[fitting.shape[1] :].tolist():
+            print(f"not shown: {', '.join(left)}")
+        print()
+    print(f"{len(frame)} runs; {path} has all columns")
     with records.atomic(path) as temporary:
         frame.to_parquet(temporary, index=False)
+
+
+def _text(frame: pd.DataFrame) -> str:
+    return str(frame.to_string(index=False, na_rep="-", float_format="{:.6g}".format))
+
+
+def _fitting(frame: pd.DataFrame) -> pd.DataFrame:
+    """The first columns of `frame`, as many as one line of the terminal holds; one at least."""
+    width = shutil.get_terminal_size().columns
+    counts = range(frame.shape[1], 1, -1)
+    fits = (n for n in counts if len(_text(frame.iloc[:, :n]).split("\n", 1)[0]) <= width)
+    return frame.iloc[:, : next(fits, 1)]

@@ -8,7 +8,17 @@ import pytest
 import xarray as xr
 
 import squat as api
-from squat.catalogue import DifferenceCase, find, places, select, varying, write_difference
+from squat.catalogue import (
+    CatalogueCase,
+    DifferenceCase,
+    columns,
+    find,
+    places,
+    select,
+    varying,
+    write_catalogue,
+    write_difference,
+)
 from squat.catalogue.difference import difference
 from squat.config.units import unit
 from squat.errors import InputError
@@ -145,6 +155,37 @@ def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):
     kept = pd.read_parquet(tmp_path / "catalogue.parquet")
     assert sorted(kept["piston.mass_ratio"]) == [0.5, 0.9]
     assert "piston.length" in kept.columns
+
+
+def test_parts_of_a_choice_are_printed_only_where_its_name_does_not_imply_them():
+    rows = {
+        "file": ["a", "b", "c"],
+        "kind": ["transient"] * 3,
+        "status": ["completed"] * 3,
+        "coupling.name": ["printed", "printed", "newmark"],
+        "coupling.integrator": ["centred", "centred", "newmark"],
+        "coupling.criterion.tolerance": [1e-7, 1e-9, 1e-7],
+        "current": [1.0, 2.0, 2.0],
+    }
+    shown = columns(pd.DataFrame(rows), ())
+    assert list(shown) == [name for name in rows if name != "coupling.integrator"]
+
+
+def test_a_terminal_gets_the_columns_that_fit_and_the_names_of_the_others(
+    runs, tmp_path, capsys, monkeypatch
+):
+    case = CatalogueCase(runs=str(runs / "deep"), where="", sort=(), columns=())
+    write_catalogue(case, tmp_path / "c.parquet")
+    whole = capsys.readouterr().out.splitlines()
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    width = len(whole[0]) - 1
+    monkeypatch.setenv("COLUMNS", str(width))
+    write_catalogue(case, tmp_path / "c.parquet")
+    head, *rest = capsys.readouterr().out.splitlines()
+    last = whole[0].split()[-1]
+    assert head.split() == whole[0].split()[:-1]
+    assert f"not shown: {last}" in rest
+    assert max(map(len, rest[: len(RATIOS)])) <= width
 
 
 def test_compared_runs_are_drawn_as_they_are(runs):
