@@ -10,9 +10,10 @@ pytestmark = pytest.mark.browser
 REPORT = Path(__file__).parents[2] / "results" / "report.html"
 SEEN = """[...document.images].filter(image => {
   const box = image.getBoundingClientRect();
+  const frame = (image.closest(".scroll") ?? image).getBoundingClientRect();
   return image.complete && image.naturalWidth > 0 && box.height > 40
     && box.width > 0.5 * Math.min(image.naturalWidth, innerWidth)
-    && box.left >= 0 && box.right <= document.documentElement.clientWidth;
+    && box.left >= 0 && frame.right <= document.documentElement.clientWidth;
 }).length"""
 
 
