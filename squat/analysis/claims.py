@@ -104,7 +104,7 @@ def _(sources: Sources) -> Finding:
     m_add, m_f = (corrected[name].values for name in ("added_mass_ratio", "mass_ratio"))
     row, column = np.argwhere(lost)[-1]
     return Finding(
-        f"diverges at m_add = {m_add[row]:g} m_f, m_f = {m_f[column]:g} m",
+        f"diverges at m_add/m_f = {m_add[row]:g}, m_f/m = {m_f[column]:g}",
         "its own amplification factor demands m_add > (m_f - m)/2 + dt^2 rho g S/4",
         INCONSISTENT,
     )
@@ -136,7 +136,8 @@ def _(sources: Sources) -> Finding:
     here = f"less penalizing from m_f/m = {better.min():g} on" if better.size else "never"
     return Finding(
         here,
-        "m_add = 2 m_f against m_f/2: |G| is less when m_f > m (dt -> 0); Table 3 shows it too",
+        "mean iterations with m_add = 2 m_f against m_f/2; in the printed Table 3 it is the more "
+        "penalizing one at m_f/m = 0.2 too, 12 against 10",
         holds(bool((double < half).all())),
     )
 
@@ -160,7 +161,10 @@ def _(sources: Sources) -> Finding:
 @claim("centred_order")
 def _(sources: Sources) -> Finding:
     return _order(
-        sources, "centred", "w'' stands at t_n, the force at t_{n+1}: first order, damped"
+        sources,
+        "centred",
+        "w'' stands at t_n, the force at t_{n+1}: first order, damped; the observed order rises "
+        "to 1 as dt falls",
     )
 
 
@@ -175,9 +179,12 @@ def _(sources: Sources) -> Finding:
         f"solves saved grow from {gain[0]:.2g}-fold at {rho[0]:g} kg/m3 "
         f"to {gain[finite][-1]:.2g}-fold at {rho[finite][-1]:g} kg/m3"
     )
-    rising = bool((np.diff(gain[finite]) > 0).all() and (~finite[np.argmin(finite) :]).all())
-    note = "without bound where the standard scheme diverges; growing, but not in proportion"
-    return Finding(here, note, holds(rising or bool(finite.all())))
+    apart = (gain[finite] / gain[0]) / (rho[finite] / rho[0])
+    note = (
+        f"that is {apart[-1]:.2g} times what proportion to the density would give; without bound "
+        "where the standard scheme diverges: its count has a pole at m_f = m"
+    )
+    return Finding(here, note, holds(bool(finite.all() and (abs(apart - 1) < 0.1).all())))
 
 
 @claim("squat_speed")

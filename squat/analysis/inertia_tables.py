@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from squat.analysis.lookup import MISSING, Here, LookUp
-from squat.analysis.verdict import half_digit, judge
+from squat.analysis.verdict import MATCH, half_digit, judge
 
 OTHER_READING = "1.5"
 """Row of Table 5 that fits T = 10 m fixed in all its cells, and no other reading."""
@@ -82,12 +82,23 @@ def bounded_away(printed: str, cell: dict[str, str]) -> bool:
 def with_bounds(printed: str, here: Here) -> Here:
     """`here` with the verdict on the paper's mesh, and `inconsistent` where a bound says so."""
     columns = dict(here.columns)
-    columns["verdict_paper_mesh"] = judge(printed, float(columns["here_paper_mesh"]))
+    mesh = float(columns["here_paper_mesh"])
+    columns["verdict_paper_mesh"] = judge(printed, mesh)
     proven = bounded_away(printed, columns)
-    note = here.note
     if proven:
         note = "above the exact value in every reading, which finite elements approach from below"
+    else:
+        note = "; ".join(filter(None, [here.note, _by_mesh(printed, mesh)]))
     return here._replace(columns=columns, inconsistent=proven, note=note)
+
+
+def _by_mesh(printed: str, mesh: float) -> str:
+    """What the mesh of the paper has to do with the print."""
+    if judge(printed, mesh) == MATCH:
+        return f"the mesh of the paper lies lower and gives what is printed: {mesh:.4f}"
+    if abs(float(printed) - mesh) > 3 * half_digit(printed):
+        return f"the mesh of the paper gives {mesh:.4f}, and no reading tried fits: a misprint?"
+    return f"the mesh of the paper gives {mesh:.4f}"
 
 
 def table5_critical(data: xr.Dataset) -> LookUp:

@@ -10,8 +10,8 @@ from pydantic.dataclasses import dataclass
 
 from squat import published, records
 from squat.analysis import equilibria_tables, inertia_tables, piston_tables
-from squat.analysis.lookup import Reader
-from squat.analysis.verdict import DIFFERS, INCONSISTENT, Verdict, difference, judge
+from squat.analysis.lookup import Here, Reader
+from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH, Verdict, difference, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
 from squat.records.added_mass_kinds import ADDED_MASS, INERTIA
@@ -63,6 +63,7 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
         verdict: Verdict = judge(text, here.value, rounds_down=here.rounds_down)
         if verdict == DIFFERS and here.inconsistent:
             verdict = INCONSISTENT
+        note = "; ".join(filter(None, [here.note, _rounding(text, here) * (verdict == DIFFERS)]))
         apart = difference(text, here.value)
         rows.append(
             {
@@ -72,10 +73,18 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
                 **here.columns,
                 "difference": "" if math.isnan(apart) else f"{apart:.6g}",
                 "verdict": verdict,
-                "note": here.note,
+                "note": note,
             }
         )
     return pd.DataFrame(rows)
+
+
+def _rounding(text: str, here: Here) -> str:
+    """Whether the print is our value after all, cut off where others are rounded or reversed."""
+    if judge(text, here.value, rounds_down=not here.rounds_down) != MATCH:
+        return ""
+    how = ("cut off", "rounded") if not here.rounds_down else ("rounded", "cut off")
+    return f"printed {how[0]}, where other cells are {how[1]}"
 
 
 def write_table(case: TableCase, path: Path) -> None:

@@ -21,6 +21,13 @@ _SYMBOLS = {
     "wendel_1956": "Wendel (1956)",
     "inertia_coefficient": "i",
     "quantity = ": "",
+    "wdot0": "w'(0)",
+    "w0": "w(0)",
+    "steps_per_period": "steps a period",
+    "mesh_nodes": "nodes of the mesh",
+    "mesh_triangles": "triangles of the mesh",
+    "inlet_distance": "distance of In",
+    "outlet_distance": "distance of Out",
 }
 
 

@@ -11,8 +11,9 @@ import xarray as xr
 from squat import records
 from squat.analysis import TableCase, piston_tables, write_table
 from squat.analysis.claims import CHECKS, Sources
-from squat.analysis.inertia_tables import table5_critical
+from squat.analysis.inertia_tables import _by_mesh, table5_critical
 from squat.analysis.lookup import Here
+from squat.analysis.tables import _rounding
 from squat.analysis.verdicts import table_rows
 from squat.errors import InputError
 from squat.stability.run import run as equilibria
@@ -28,7 +29,8 @@ def inertia(*cells):
 
 
 def coupled(current, status="completed", **data):
-    config = {"coupling": {"integrator": "centred", "potential_rate": "centred"}}
+    scheme = {"integrator": "centred", "potential_rate": "centred"}
+    config = {"coupling": {**scheme, "criterion": {"iterations": 200}}}
     attrs = {"coupling": "printed", "current": current, "status": status}
     return xr.Dataset(data, attrs=attrs | {"config": json.dumps(config)})
 
@@ -69,7 +71,7 @@ def test_the_last_cell_lost_is_named():
         {"added_mass_ratio": [0.0, 0.1, 0.2], "mass_ratio": [3.0, 7.0]},
     )
     found = finding("unconditional", iterations=cells)
-    assert found.here == "diverges at m_add = 0.2 m_f, m_f = 7 m"
+    assert found.here == "diverges at m_add/m_f = 0.2, m_f/m = 7"
     assert found.verdict == "paper inconsistent"
 
 
@@ -89,7 +91,49 @@ def test_inertia_fed_back_is_that_of_the_slowest_run_at_its_start():
     slow = coupled(1.0, fluid_inertia=("time", [12.0, 40.0]), ship_mass=1.0, added_mass=3.0)
     fast = coupled(2.0, fluid_inertia=("time", [90.0, 91.0]), ship_mass=1.0, added_mass=7.0)
     said = str(finding("operator_inertia", transients=(fast, slow)))
-    assert "(19) has 12 m, (23) 3 m; the centred reading feeds back 0.25 of the former, 3 m" in said
+    assert "(19) has 12, (23) 3; the centred reading feeds back 0.25 of the former, 3" in said
+
+
+@pytest.mark.parametrize(("saved", "verdict"), [((2.0, 4.0), "match"), ((2.0, 6.0), "differs")])
+def test_efficiency_is_in_proportion_where_twice_the_density_saves_twice_as_much(saved, verdict):
+    cells = xr.Dataset(
+        {
+            "density_mean_iterations": (
+                ("density_added_mass_ratio", "density"),
+                [[5.0 * factor for factor in saved], [5.0, 5.0]],
+            )
+        },
+        {"density_added_mass_ratio": [0.0, 1.0], "density": [500.0, 1000.0]},
+    )
+    assert finding("density", iterations=cells).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("printed", "here", "note"),
+    [
+        ("0.63", Here(0.6366), "printed cut off, where other cells are rounded"),
+        ("12", Here(11.81, rounds_down=True), "printed rounded, where other cells are cut off"),
+        ("49", Here(48.4, rounds_down=True), ""),
+    ],
+)
+def test_a_print_that_is_ours_cut_off_or_rounded_is_told(printed, here, note):
+    assert _rounding(printed, here) == note
+
+
+@pytest.mark.parametrize(
+    ("printed", "mesh", "note"),
+    [
+        ("1.23", 1.2312, "the mesh of the paper lies lower and gives what is printed: 1.2312"),
+        (
+            "0.95",
+            0.9942,
+            "the mesh of the paper gives 0.9942, and no reading tried fits: a misprint?",
+        ),
+        ("0.86", 0.8651, "the mesh of the paper gives 0.8651"),
+    ],
+)
+def test_a_cell_says_what_the_mesh_of_the_paper_gives(printed, mesh, note):
+    assert _by_mesh(printed, mesh) == note
 
 
 def test_pressure_of_the_ends_is_that_of_the_outer_tenths():
@@ -107,11 +151,22 @@ def test_pressure_of_the_ends_is_that_of_the_outer_tenths():
     assert found.verdict == "match"
 
 
-@pytest.mark.parametrize(("last", "verdict"), [(-0.98, "paper inconsistent"), (-0.5, "differs")])
-def test_where_the_corrected_scheme_stops_its_factor_is_that_of_the_end(last, verdict):
-    factors = ("time", [-0.98 - 0.48 - last, last])
-    run = coupled(2.5, "diverged", predicted_contraction=factors, heave=("time", [0.0, -5.0]))
-    assert finding("corrected_converges", transients=(run,)).verdict == verdict
+@pytest.mark.parametrize("status", ["diverged", "iteration limit"])
+def test_where_the_corrected_scheme_stops_is_told_with_the_factor_of_the_failed_step(status):
+    run = coupled(2.5, status, heave=("time", [0.0, -5.0]), failed_contraction=-0.957)
+    found = finding("corrected_converges", transients=(run,))
+    assert found.verdict == "differs"
+    assert "below w = -5.000 m" in str(found.here)
+    assert "the next step has G = -0.957" in found.note
+    assert ("meets the limit of 200 iterations" in found.note) == (status == "iteration limit")
+
+
+def test_iterations_that_run_away_grow_faster_than_exponentially():
+    """1/(1 - |G|) with G falling to -1 does; equal factors in equal times are exponential."""
+    steps = np.arange(1.0, 81.0)
+    for count, verdict in ((200 / (81 - steps), "match"), (2 ** (steps / 20), "differs")):
+        run = coupled(2.5, "iteration limit", iterations=("time", np.r_[0, count]))
+        assert finding("iterations_grow", transients=(run,)).verdict == verdict
 
 
 @pytest.mark.parametrize(("safe", "verdict"), [(1.96, "differs"), (1.999, "match")])
