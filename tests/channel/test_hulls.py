@@ -11,6 +11,7 @@ from squat.channel import (
     Channel,
     Curve,
     HalfEllipse,
+    Lewis,
     Polygon,
     Rectangle,
     check_afloat,
@@ -47,6 +48,47 @@ def test_any_hull_is_one_config_line_with_its_length_and_draft(name):
 )
 def test_area_agrees_with_the_closed_form_but_for_the_chords(name, area, tolerance):
     assert hull(name).outline.area == pytest.approx(area, rel=tolerance)
+
+
+def lewis(length, draft, coefficient, segments=400):
+    return Lewis(
+        length=length, draft=draft, wall=1.0, area_coefficient=coefficient, segments=segments
+    )
+
+
+@pytest.mark.parametrize(
+    ("length", "draft"), [(140.0, 8.0), (40.0, 10.0), (18.0, 10.0), (8.0, 9.0)]
+)
+@pytest.mark.parametrize("part", [1e-6, 0.5, 1 - 1e-6])
+def test_a_lewis_form_stays_within_its_box_and_turns_nowhere_back(length, draft, part):
+    least, greatest = lewis(length, draft, 0.7).fullness
+    coefficient = least + part * (greatest - least)
+    x, z = lewis(length, draft, coefficient).outline.vertices.T
+    keel = z.argmin()
+    assert z[keel] == pytest.approx(-draft, rel=1e-12)
+    assert x[keel] == pytest.approx(length / 2, abs=1e-3 * length)  # flat there when full
+    assert np.all(np.diff(z[: keel + 1]) <= 1e-12)
+    assert np.all(np.diff(x) >= -1e-12)
+
+
+@pytest.mark.parametrize(("side", "outside"), [(0, -1e-3), (1, 1e-3)])
+def test_the_range_of_a_lewis_form_is_as_wide_as_can_be(side, outside):
+    within = lewis(140.0, 8.0, 0.7)
+    object.__setattr__(within, "area_coefficient", within.fullness[side] + outside)
+    chain = within.section()
+    below = chain[1:-1, 1]
+    assert below.min() < -8 - 1e-9 or below.max() > -1 + 1e-9
+
+
+def test_a_lewis_form_of_a_half_circle_s_proportions_has_the_range_of_closed_form():
+    assert lewis(18.0, 10.0, 0.7).fullness == pytest.approx(
+        (math.pi / 4 * 3 / 8, math.pi / 4 * 39 / 32)
+    )
+
+
+def test_a_lewis_form_is_stretched_up_to_its_range():
+    longest = lewis(79.5, 10.0, 0.9)
+    assert stretched(lewis(40.0, 10.0, 0.9), longest.outline.area).length == pytest.approx(79.5)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -169,6 +211,11 @@ def test_curve_with_coinciding_points_is_refused_by_name():
         (["hull=v", "hull.wall=10.0"], "hull.wall=10: must be less than hull.draft=10"),
         (["hull=rounded_box", "hull.radius=11.0"], "hull.radius=11: must be less"),
         (["hull=lewis", "hull.segments=2"], "hull.segments=2"),
+        (
+            ["hull=lewis", "hull.length=140", "hull.draft=8"],
+            "hull.area_coefficient=0.9: must be within 0.5596 and 0.8909 for a Lewis form",
+        ),
+        (["hull=lewis", "hull.area_coefficient=0.4"], "hull.area_coefficient=0.4: must be within"),
         (
             ["hull=polygon", "hull.points=[[0,0],[4,-9],[4,0],[0,-9]]"],
             "hull.points: the outline crosses itself",
