@@ -7,7 +7,7 @@ from pydantic.dataclasses import dataclass
 
 from squat.channel.hull import Hull
 from squat.errors import InputError
-from squat.quantities import STRICT, Length, Position, Vector
+from squat.quantities import STRICT, Length, Point, Vector
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -30,7 +30,7 @@ class Channel:
     depth: Length
     upstream: Length
     downstream: Length
-    bottom: tuple[tuple[Position, Position], ...] = ()
+    bottom: tuple[Point, ...] = ()
 
     def __post_init__(self) -> None:
         for (x0, _), (x1, _) in pairwise(self.bottom):

@@ -1,10 +1,9 @@
 """Ready-made hull sections: one class a shape, chosen by `hull=<shape>`."""
 
 import math
-from typing import Annotated, Literal
+from typing import Literal
 
 import numpy as np
-from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel.hull import Hull, Segments, arc, half_turn
@@ -163,10 +162,10 @@ class Lewis(WalledHull):
     def fullness(self) -> tuple[float, float]:
         """Least and greatest area coefficient of a form within its box, monotone along each side.
 
-        With u = cos t, depth = M ((1 - a1 - 3 a3) u + 4 a3 u^3) grows from water line to keel if its
-        derivative is positive at both: -(1 - a1)/9 <= a3 <= (1 - a1)/3. Below that the keel is
-        hollow and its flanks deeper than the draft, above it the sides turn inwards over the water
-        line. The same of x has 1 + a1 for 1 - a1. The area coefficient falls as a3 grows.
+        With u = cos t, depth = M ((1 - a1 - 3 a3) u + 4 a3 u^3) grows from water line to keel where
+        its derivative is positive at both: -(1 - a1)/9 <= a3 <= (1 - a1)/3. Below that the keel is
+        hollow and its flanks deeper than the draft; above it the sides rise over the walls' feet.
+        The same of x has 1 + a1 for 1 - a1. The area coefficient falls as a3 grows.
         """
         skew = abs(self._skew)
         return self._filled((1 - skew) / (3 + skew)), self._filled(-(1 - skew) / (9 - skew))

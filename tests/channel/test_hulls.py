@@ -162,10 +162,71 @@ def test_a_curve_is_as_long_and_deep_as_its_chords():
     vertices = found.outline.vertices
     assert found.draft == pytest.approx(-vertices[:, 1].min(), rel=1e-12)
     assert found.length == pytest.approx(vertices[-1, 0] - vertices[0, 0], rel=1e-12)
-    drawn = found.curve()
-    below = drawn[drawn[:, 1] < -found.wall]
-    shifted = below + (vertices[vertices[:, 1].argmin()] - below[below[:, 1].argmin()])
-    assert np.abs(vertices[:, None] - shifted).max(axis=2).min(axis=0).max() < 1e-9
+    apart = np.abs(vertices[1:-1, None] - found.curve()).max(axis=2)
+    assert apart.min(axis=1).max() < 1e-9
+
+
+SHIPS = {
+    "shipped": tuple(map(tuple, compose("equilibria", "hull=curve")["hull"]["points"])),
+    "open": ((0, 0), (0, -1), (8, -8), (110, -8), (140, -3), (140, 0)),
+    "tunnel": ((0, 2), (0, -2), (9, -8), (25, -8), (30, -5), (34, -6), (40, -2), (40, 2)),
+}
+
+
+@pytest.mark.parametrize("points", SHIPS.values(), ids=SHIPS)
+@pytest.mark.parametrize("segments", [3, 60, 400])
+def test_a_curve_has_the_bounding_box_of_its_points_and_turns_back_at_none_but_them(
+    points, segments
+):
+    curve = Curve(points=points, wall=0.5, segments=segments)
+    drawn = curve.curve()
+    for found, given in zip(drawn.T, np.array(points, float).T, strict=True):
+        assert (found.min(), found.max()) == (given.min(), given.max())
+    corners = [int(np.argmin(np.abs(drawn - point).sum(axis=1))) for point in points]
+    assert drawn[corners] == pytest.approx(np.array(points), abs=1e-12)
+    for part in np.split(drawn, corners[1:]):
+        for steps in np.diff(part, axis=0).T:
+            assert np.all(steps <= 0) or np.all(steps >= 0)
+    assert curve.draft == -min(z for _, z in points)
+
+
+def test_a_flat_keel_and_upright_sides_of_a_curve_stay_so():
+    x, z = Curve(points=SHIPS["shipped"], wall=1.0, segments=200).curve().T
+    keel = (x >= 12) & (x <= 28) & (z < 0)
+    assert keel.sum() > 20
+    assert np.all(z[keel] == -10)
+    side = (np.abs(z) <= 2) & (x < 20)
+    assert side.sum() > 5
+    assert np.all(x[side] == 0)
+
+
+@pytest.mark.parametrize("kind", ["polygon", "curve"])
+@pytest.mark.parametrize(
+    ("points", "end"),
+    [
+        ("[[0,0],[0,-1],[8,-8],[110,-8],[140,-3]]", "last point, [140, -3], lies"),
+        ("[[0,3],[0,0],[0,-1],[8,-8],[110,-8],[140,-3]]", "last point, [140, -3], lies"),
+        ("[[0,-1],[8,-8],[110,-8],[140,-3],[140,0]]", "first point, [0, -1], lies"),
+        ("[[0,-1],[8,-8],[110,-8],[140,-3]]", "first point, [0, -1], lies"),
+    ],
+)
+def test_a_list_that_lacks_a_point_on_the_water_line_is_refused_by_its_end(kind, points, end):
+    with pytest.raises(InputError) as caught:
+        hull_of(kind, points)
+    assert str(caught.value).startswith(f"hull.points: the {end} below the water; begin and end")
+
+
+def hull_of(kind, points):
+    return validate(compose("equilibria", f"hull={kind}", f"hull.points={points}")).case.hull
+
+
+def test_a_closed_list_may_begin_anywhere():
+    ring = np.array([(0, 2), (0, -2), (8, -8), (30, -8), (40, -2), (40, 2)], float)
+    found = [
+        Polygon(points=tuple(map(tuple, np.roll(ring, k, axis=0))), wall=1.0).outline
+        for k in range(len(ring))
+    ]
+    assert [one.area for one in found] == pytest.approx([found[0].area] * len(ring))
 
 
 @pytest.mark.parametrize(

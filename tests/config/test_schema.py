@@ -36,7 +36,12 @@ def test_bad_value_names_key_value_and_remedy(overrides, line):
     ("overrides", "line"),
     [
         (["accuracy.refinement=1"], "accuracy.refinement=1: must be greater than or equal to 2"),
-        (["channel.bottom=[[1,2,3]]"], "channel.bottom.0=[1, 2, 3]: must have at most 2 items,"),
+        (["channel.bottom=[[1,2,3]]"], "channel.bottom.0: [1, 2, 3] is no point; give [x, z]"),
+        (
+            ["hull=polygon", "hull.points=[[0,0],[0,-1],[8,-8],[110],[140,0]]"],
+            "hull.points.3: [110] is no point; give [x, z], two numbers in m",
+        ),
+        (["hull.gravity_center=[20]"], "hull.gravity_center: [20] is no point; give [x, z]"),
         (
             ["hull=polygon", "hull.points=[[0,0],[1,-1]]"],
             "hull.points=[[0, 0], [1, -1]]: must have at least 3 items, not 2",
