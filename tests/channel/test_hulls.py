@@ -157,6 +157,22 @@ def test_walls_that_shorten_a_hull_are_remarked_on():
     assert Polygon(points=barge, wall=0.5).remark() == ""
 
 
+def test_a_channel_that_is_short_ahead_of_its_ship_is_remarked_on_with_what_to_give():
+    ship = Rectangle(length=140.0, draft=8.0)
+    line = CHANNEL.remark(ship)
+    assert line.startswith("channel.upstream=40: short for a hull 140 m long;")
+    assert "channel.upstream=140, and" in line
+    assert line.endswith("channel.downstream=210")
+    assert Channel(depth=11.0, upstream=140.0, downstream=60.0).remark(ship) == ""
+
+
+@pytest.mark.parametrize("name", ["fig7", *NAMES])
+def test_the_paper_s_and_all_ready_made_ships_draw_no_remark_in_their_channels(name):
+    channel = "fig7" if name == "fig7" else "paper"
+    case = validate(compose("limits", f"hull={name}", f"channel={channel}")).case
+    assert case.channel.remark(case.hull) == ""
+
+
 def test_a_curve_is_as_long_and_deep_as_its_chords():
     found = hull("curve")
     vertices = found.outline.vertices

@@ -40,6 +40,16 @@ def test_a_mesh_is_told_by_its_size_and_its_worst_triangle(said, caplog):
     assert not [record for record in caplog.records if record.levelno >= logging.WARNING]
 
 
+@pytest.mark.parametrize(("surface", "count"), [("rigid_lid", 1), ("zero_pressure", 0)])
+def test_a_channel_that_is_short_ahead_is_remarked_on_once_and_under_the_lid_alone(
+    said, caplog, surface, count
+):
+    quick = "mesh=coarse", "accuracy.near=0.8", "hull.length=60.0"
+    said("added_mass", *quick, f"free_surface={surface}")
+    lines = [record.getMessage() for record in caplog.records]
+    assert sum("channel.upstream=40: short" in line for line in lines) == count
+
+
 def test_limits_are_told_with_errors_and_where_pitch_is_found(said):
     text, data = said("limits", "accuracy.near=0.4")
     for name, speed, error in zip(
