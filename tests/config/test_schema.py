@@ -61,6 +61,27 @@ def test_every_run_task_composes_without_overrides(task):
     assert valid.config["task"] == task
 
 
+@pytest.mark.parametrize(
+    ("overrides", "line"),
+    [
+        (["hull.drafft=8"], "hull.drafft=8: unknown key; did you mean 'hull.draft'? squat task="),
+        (["chanel.depth=11"], "chanel.depth=11: unknown key; did you mean 'channel.depth'? squat"),
+        (["hul=lewis"], "hul=lewis: unknown key; did you mean 'hull'? squat"),
+        (["hull=v", "~hull.wal"], "hull.wal: unknown key; did you mean 'hull.wall'? squat"),
+        (
+            ["hull.lenth=2", "hull.drafft=8"],
+            "hull.lenth=2: unknown key; did you mean 'hull.length'",
+        ),
+        (["hull=lewis", "out=x.nc", "hull.segment=8"], "hull.segment=8: unknown key; did you mean"),
+        (["zzz.qqq=1"], "zzz.qqq=1: unknown key; squat task=NAME --cfg job lists the keys"),
+    ],
+)
+def test_a_misspelt_key_is_answered_with_the_one_that_was_meant(overrides, line):
+    with pytest.raises(InputError) as caught:
+        compose("limits", *overrides)
+    assert str(caught.value).startswith(line)
+
+
 def test_a_group_that_a_task_does_not_use_is_refused():
     with pytest.raises(InputError, match=r"^hull.draft=3: unknown key; "):
         compose("piston", "hull.draft=3")
