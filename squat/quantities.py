@@ -8,13 +8,18 @@ from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ConfigDict, Field
+from pydantic import BeforeValidator, ConfigDict, Field
+
+from squat.errors import InputError
 
 Vector = NDArray[np.float64]
 """Real array; every docstring names its shape."""
 
 STRICT = ConfigDict(extra="forbid")
 """Unknown keys are refused; give it as ``@dataclass(frozen=True, kw_only=True, config=STRICT)``."""
+
+
+_PLANE = 2
 
 
 class Unit(str):
@@ -37,6 +42,16 @@ Area = Annotated[float, Unit("m2"), _number(gt=0, le=1e10)]
 """Area [m2] in (0, 1e10]."""
 Position = Annotated[float, Unit("m"), _number(ge=-1e5, le=1e5)]
 """Coordinate or displacement [m]."""
+
+
+def _pair(value: object) -> object:
+    if isinstance(value, (list, tuple)) and len(value) != _PLANE:
+        raise InputError(f"{list(value)} is no point; give [x, z], two numbers in m")
+    return value
+
+
+Point = Annotated[tuple[Position, Position], BeforeValidator(_pair)]
+"""A point (x, z) [m]."""
 Angle = Annotated[float, Unit("rad"), _number(ge=-1.5, le=1.5)]
 """Angle [rad], less than a right one either way."""
 Velocity = Annotated[float, Unit("m/s"), _number(ge=-1e3, le=1e3)]

@@ -7,7 +7,11 @@ from pydantic.dataclasses import dataclass
 
 from squat.channel.hull import Hull
 from squat.errors import InputError
-from squat.quantities import STRICT, Length, Position, Vector
+from squat.quantities import STRICT, Length, Point, Vector
+
+_SHORT = 1.25
+"""Ship's length over that from In to the bow, 1 in the paper, from which on it is remarked on: the
+period is then some 5 % shorter than in the paper's proportions."""
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -30,7 +34,7 @@ class Channel:
     depth: Length
     upstream: Length
     downstream: Length
-    bottom: tuple[tuple[Position, Position], ...] = ()
+    bottom: tuple[Point, ...] = ()
 
     def __post_init__(self) -> None:
         for (x0, _), (x1, _) in pairwise(self.bottom):
@@ -55,6 +59,18 @@ class Channel:
         inner = [p for p in self.bottom if ends[0] < p[0] < ends[1]]
         low, high = self.floor(ends)
         return np.array([(ends[0], low), *inner, (ends[1], high)])
+
+    def remark(self, hull: Hull) -> str:
+        """What a user under the rigid lid should be told of In for `hull`; empty: nothing."""
+        length = hull.length
+        if length <= _SHORT * self.upstream:
+            return ""
+        return (
+            f"channel.upstream={self.upstream:g}: short for a hull {length:g} m long; under the "
+            "rigid lid periods grow with it, since all displaced water leaves there; the paper has "
+            f"In one length ahead, channel.upstream={length:g}, and Out one and a half behind, "
+            f"channel.downstream={1.5 * length:g}"
+        )
 
 
 def check_afloat(hull: Hull, channel: Channel) -> None:

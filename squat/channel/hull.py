@@ -9,7 +9,7 @@ from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel.outline import Outline
-from squat.quantities import STRICT, Length, Position, Vector
+from squat.quantities import STRICT, Length, Point, Vector
 
 PitchCenter = Literal["waterline", "centroid"]
 Segments = Annotated[int, Field(strict=True, ge=3, le=400)]
@@ -42,7 +42,7 @@ class Hull(ABC):
     length: Length
     draft: Length
     pitch_center: PitchCenter = "waterline"
-    gravity_center: tuple[Position, Position] | None = None
+    gravity_center: Point | None = None
     gyradius: Length | None = None
 
     @abstractmethod

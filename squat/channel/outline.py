@@ -39,7 +39,7 @@ class Outline:
         """Outline of a wetted chain (n, 2); raises InputError where it is no hull section."""
         if not np.all(np.isfinite(chain)):
             raise InputError("hull: outline has a number that is not finite; check its sizes")
-        chain = _without_idle(_upright(chain, draft), draft)
+        chain = _upright(_without_idle(chain, draft), draft)
         polygon = Polygon(chain)
         if not polygon.is_valid or polygon.area <= 0 or not polygon.exterior.is_ccw:
             raise InputError("hull: outline crosses itself; check its sizes or reorder its points")

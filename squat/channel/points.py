@@ -7,15 +7,15 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, WrapValidator
 from pydantic.dataclasses import dataclass
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import PchipInterpolator
 from shapely.geometry import LineString, box
 from shapely.geometry import Polygon as Area
 
 from squat.channel.hull import Hull, Segments
 from squat.errors import InputError
-from squat.quantities import STRICT, Length, Position, Vector
+from squat.quantities import STRICT, Length, Point, Vector
 
-Points = Annotated[tuple[tuple[Position, Position], ...], Field(min_length=3)]
+Points = Annotated[tuple[Point, ...], Field(min_length=3)]
 _WIDE = 1e7
 _NOTICED = 1e-3
 """Part of the length whose loss is remarked on."""
@@ -53,7 +53,7 @@ class _Given(Hull):
         given: dict[str, float | None] = {"length": self.length, "draft": self.draft}
         if None not in given.values():
             return
-        area = self._simple(self.curve())
+        area = self._area()
         if given["draft"] is None:
             object.__setattr__(self, "draft", self._depth(area))
         if given["length"] is None:
@@ -62,7 +62,7 @@ class _Given(Hull):
 
     def section(self) -> Vector:
         """See `Hull.section`."""
-        area = self._simple(self.curve())
+        area = self._area()
         lower = self._lower(area)
         top = np.array([(lower[0, 0], 0.0), (lower[-1, 0], 0.0)])
         chain = np.concatenate([top[:1], lower, top[1:]])
@@ -71,7 +71,7 @@ class _Given(Hull):
 
     def remark(self) -> str:
         """What the walls take off the wetted length as drawn, in words; empty: nothing."""
-        area = self._simple(self.curve())
+        area = self._area()
         left, _, right, _ = area.intersection(box(-_WIDE, -_WIDE, _WIDE, 0.0)).bounds
         drawn, kept = right - left, float(np.ptp(self._lower(area)[:, 0]))
         if kept > (1 - _NOTICED) * drawn:
@@ -100,12 +100,24 @@ class _Given(Hull):
     def curve(self) -> Vector:
         """Vertices of the closed section, shape (n, 2)."""
 
-    @staticmethod
-    def _simple(points: Vector) -> Area:
-        area = Area(points)
+    def _area(self) -> Area:
+        """The closed section as drawn."""
+        self._check_ends()
+        area = Area(self.curve())
         if not area.is_valid or area.area == 0:
             raise InputError("hull.points: the outline crosses itself; reorder the points")
         return area
+
+    def _check_ends(self) -> None:
+        """Refuse a list with an end below the water that is not closed above: it lacks a point."""
+        wet = [end for end in (0, -1) if self.points[end][1] < 0]
+        dry = {x for x, z in self.points if z >= 0}
+        if wet and len(dry) < 2:
+            which, (x, z) = ("first", "last")[wet[0]], self.points[wet[0]]
+            raise InputError(
+                f"hull.points: the {which} point, [{x:g}, {z:g}], lies below the water; "
+                f"begin and end the list on the water line, say at [{x:g}, 0]"
+            )
 
     @staticmethod
     def _cut(area: Area, foot: float) -> Vector:
@@ -140,23 +152,31 @@ class Polygon(_Given):
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class Curve(_Given):
-    """Any smooth closed curve: the periodic cubic spline through the points.
+    """Any smooth closed curve: x and z over the chord length, each by monotone cubics.
+
+    It goes neither beyond its points nor back between two of them, and is straight between two
+    that share their x or z (Fritsch and Carlson 1980, with the slopes of Fritsch and Butland 1984).
 
     Parameters
     ----------
     segments
-        Chords of the whole closed curve.
+        Chords of the whole closed curve; at least one from each point to the next.
     """
 
     shape: Literal["curve"] = "curve"
     segments: Segments
 
     def curve(self) -> Vector:
-        """See `_Given.curve`."""
-        closed = np.array([*self.points, self.points[0]], float)
-        chords = np.linalg.norm(np.diff(closed, axis=0), axis=1)
+        """See `_Given.curve`; every one of `points` is a vertex."""
+        points = np.array(self.points, float)
+        around = np.concatenate([points[-1:], points, points[:2]])  # slopes across the seam
+        chords = np.linalg.norm(np.diff(around, axis=0), axis=1)
         if np.any(chords == 0):
             raise InputError("hull.points: two neighbours coincide; leave one out")
-        length = np.concatenate([[0], np.cumsum(chords)])
-        spline = CubicSpline(length, closed, bc_type="periodic")
-        return np.asarray(spline(np.linspace(0, length[-1], self.segments, endpoint=False)))
+        s = np.concatenate([[0], np.cumsum(chords)])
+        shares = np.maximum(1, np.rint(self.segments * chords[1:-1] / chords[1:-1].sum()))
+        parts = [
+            np.linspace(start, end, int(n), endpoint=False)
+            for start, end, n in zip(s[1:-2], s[2:-1], shares, strict=True)
+        ]
+        return np.asarray(PchipInterpolator(s, around)(np.concatenate(parts)))

@@ -42,7 +42,7 @@ def stretched(hull: AHull, displacement: float | None) -> AHull:
     guess = area / hull.outline.area
     try:
         # Areas are affine in the length, or nearly: two steps of the secant do.
-        factor = float(newton(excess, guess, x1=1.1 * guess, rtol=_EXACT))
+        factor = float(newton(excess, guess, x1=1.01 * guess, rtol=_EXACT))
     except (InputError, RuntimeError) as error:
         raise InputError(
             f"displacement={area:g}: no length of this hull gives that area; give another, "

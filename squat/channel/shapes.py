@@ -1,15 +1,14 @@
 """Ready-made hull sections: one class a shape, chosen by `hull=<shape>`."""
 
 import math
-from typing import Annotated, Literal
+from typing import Literal
 
 import numpy as np
-from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat.channel.hull import Hull, Segments, arc, half_turn
 from squat.errors import InputError
-from squat.quantities import STRICT, Length, Vector
+from squat.quantities import STRICT, Fraction, Length, Vector
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -124,14 +123,24 @@ class Lewis(WalledHull):
     Parameters
     ----------
     area_coefficient
-        Area below the walls over that of its bounding box.
+        Area below the walls over that of its bounding box, within `fullness`.
     segments
         Chords of the polygon.
     """
 
     shape: Literal["lewis"] = "lewis"
-    area_coefficient: Annotated[float, Field(strict=True, gt=0.3, lt=1)]
+    area_coefficient: Fraction
     segments: Segments
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        least, greatest = self.fullness
+        if not least <= self.area_coefficient <= greatest:
+            raise InputError(
+                f"hull.area_coefficient={self.area_coefficient:g}: must be within "
+                f"{math.ceil(1e4 * least) / 1e4:g} and {math.floor(1e4 * greatest) / 1e4:g} "
+                f"for a Lewis form {self.length:g} m long and {self.depth:g} m deep below its walls"
+            )
 
     def section(self) -> Vector:
         """See `Hull.section`."""
@@ -143,17 +152,34 @@ class Lewis(WalledHull):
         return self.below(np.stack([x + self.length / 2, -depth], axis=1))
 
     def coefficients(self) -> tuple[float, float]:
-        """a1 and a3; raises InputError where no Lewis form has the area coefficient."""
-        ratio, fill = self.length / 2 / self.depth, 4 * self.area_coefficient / math.pi
-        skew = (ratio - 1) / (ratio + 1)
-        c = 3 + fill + (1 - fill) * skew**2
-        if 2 * c > 9:
-            raise InputError(
-                f"hull.area_coefficient={self.area_coefficient:g}: no Lewis form is that full; "
-                "give a smaller one"
-            )
+        """a1 and a3."""
+        fill = 4 * self.area_coefficient / math.pi
+        c = 3 + fill + (1 - fill) * self._skew**2
         a3 = (3 - c + math.sqrt(9 - 2 * c)) / c
-        return skew * (1 + a3), a3
+        return self._skew * (1 + a3), a3
+
+    @property
+    def fullness(self) -> tuple[float, float]:
+        """Least and greatest area coefficient of a form within its box, monotone along each side.
+
+        With u = cos t, depth = M ((1 - a1 - 3 a3) u + 4 a3 u^3) grows from water line to keel where
+        its derivative is positive at both: -(1 - a1)/9 <= a3 <= (1 - a1)/3. Below that the keel is
+        hollow and its flanks deeper than the draft; above it the sides rise over the walls' feet.
+        The same of x has 1 + a1 for 1 - a1. The area coefficient falls as a3 grows.
+        """
+        skew = abs(self._skew)
+        return self._filled((1 - skew) / (3 + skew)), self._filled(-(1 - skew) / (9 - skew))
+
+    @property
+    def _skew(self) -> float:
+        """a1 / (1 + a3)."""
+        ratio = self.length / 2 / self.depth
+        return (ratio - 1) / (ratio + 1)
+
+    def _filled(self, a3: float) -> float:
+        """Area coefficient that goes with `a3`."""
+        a1 = self._skew * (1 + a3)
+        return math.pi / 4 * (1 - a1**2 - 3 * a3**2) / ((1 + a3) ** 2 - a1**2)
 
 
 def _fits(key: str, size: float, hull: Hull) -> None:

@@ -17,7 +17,17 @@ def ending(dataset: xr.Dataset, case: Any) -> str:
         said = [f"status {resolve_name('squat.transient.ending:told')(dataset, case)}"]
     elif kind == "added_mass":
         said = [_added_mass(dataset)]
+    elif kind == "mesh":
+        said = [_mesh(dataset)]
     return "".join(f", {words}" for words in said) + (f"\n{summary}" if summary else "")
+
+
+def _mesh(dataset: xr.Dataset) -> str:
+    rest, moved = (float(dataset[f"{name}_quality"].min()) for name in ("face", "moved"))
+    return (
+        f"{dataset.sizes['node']} nodes, {dataset.sizes['face']} triangles, "
+        f"least quality {rest:.2g} at rest, {moved:.2g} moved"
+    )
 
 
 def _added_mass(dataset: xr.Dataset) -> str:

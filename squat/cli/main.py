@@ -22,8 +22,8 @@ from squat.cli.log import start_logging
 from squat.cli.targets import guard
 from squat.cli.tasks import earlier_end, output, run_task
 from squat.config import CONF, validate
-from squat.config.compose import plain
 from squat.config.messages import condense
+from squat.config.raw import plain
 from squat.errors import InputError
 from squat.records import BusyError
 from squat.sweeps import FAILED

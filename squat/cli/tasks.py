@@ -2,7 +2,7 @@
 
 import logging
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
@@ -101,11 +101,19 @@ def run_task(valid: Valid, path: Path) -> None:
         _log.info("%s: written", path)
         return
     with records.claim(path):
-        hull = getattr(valid.case, "hull", None)
-        if hull is not None and (remark := hull.remark()):
+        for remark in filter(None, _remarks(valid.case)):
             _log.info("%s", remark)
         dataset = _written(valid, path, started)
     _log.info("%s: written%s", path, ending(dataset, valid.case))
+
+
+def _remarks(case: Any) -> Iterator[str]:
+    """What a user should be told of a case's hull and channel before it runs; empty: nothing."""
+    hull = getattr(case, "hull", None)
+    if hull is not None:
+        yield hull.remark()
+        if getattr(case, "free_surface", None) == "rigid_lid":
+            yield case.channel.remark(hull)
 
 
 def _written(valid: Valid, path: Path, started: float) -> xr.Dataset:

@@ -5,13 +5,14 @@ from collections.abc import Sequence
 
 from hydra.errors import OverrideParseException
 
+from squat.config.near import near
 from squat.errors import InputError
 
 _CHOICES = re.compile(r"Available options(?: in '[^']*')?:\n(?P<list>(?:\t.*\n?)+)")
 _NOISE = re.compile(r"(full_key|object_type|\^|See https|Set the environment)")
 _KNOWN = {
     r"Could not (?:override|append|delete)[^']*'(?P<key>[^']+)'": (
-        "{typed}: unknown key; squat task=NAME --cfg job lists the keys"
+        "{typed}: unknown key; {meant}squat task=NAME --cfg job lists the keys"
     ),
     r"Could not find '(?P<key>.+)/(?P<option>[^/']*)'": (
         "{key}={option}: unknown; give one of {choices}"
@@ -38,7 +39,8 @@ def condense(error: Exception, arguments: Sequence[str]) -> str:
         if found := re.search(pattern, text):
             names = found.groupdict()
             typed = _typed(names["key"], arguments)
-            return line.format(**names, typed=typed, choices=_choices(text))
+            meant = _meant(names["key"], arguments) if "{meant}" in line else ""
+            return line.format(**names, typed=typed, meant=meant, choices=_choices(text))
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     kept = [line for line in lines if not _NOISE.match(line)]
     return f"{'; '.join(kept) or type(error).__name__} (in: {' '.join(arguments)})"
@@ -51,6 +53,11 @@ def _typed(key: str, arguments: Sequence[str]) -> str:
         if argument.lstrip("+~").split("=")[0] in (key, name):
             return argument.lstrip("+~")
     return key
+
+
+def _meant(key: str, arguments: Sequence[str]) -> str:
+    found = near(key, arguments)
+    return f"did you mean {found!r}? " if found else ""
 
 
 def _short(name: object) -> str:

@@ -140,7 +140,7 @@ def _masses(
 
 def _named(name: str) -> Accelerator:
     # Hydra takes half a second to import, which those who give an accelerator need not spend.
-    from squat.config.compose import CONF, compose  # noqa: PLC0415
+    from squat.config import CONF, compose  # noqa: PLC0415
     from squat.config.schema import validate  # noqa: PLC0415
 
     known = sorted(path.stem for path in (CONF / "accelerator").glob("*.yaml"))

@@ -1,5 +1,6 @@
 """From a case to the mesh dataset."""
 
+import logging
 import re
 
 import xarray as xr
@@ -8,9 +9,13 @@ from squat.mesh.case import MeshCase
 from squat.mesh.generate import generate
 from squat.mesh.limits import PositionError
 from squat.mesh.mesh import Mesh
+from squat.mesh.quality import quality
 from squat.mesh.submesh import submesh
 from squat.mesh.ugrid import to_dataset
 
+_log = logging.getLogger(__name__)
+_NEEDLE = 0.01
+"""Quality at rest that no ready-made hull comes near."""
 _POSITION = re.compile(r"\b(?=(?:surge|heave|pitch)=)")
 """Where in a message a part of the position begins, whose key has a prefix here."""
 
@@ -21,11 +26,34 @@ def make(case: MeshCase, modes: tuple[str, ...] = ("surge", "heave", "pitch")) -
 
 
 def run(case: MeshCase) -> xr.Dataset:
-    """Dataset of kind `mesh`; raises InputError where the shown position is inadmissible."""
+    """Dataset of kind `mesh`, with a warning where triangles are needles.
+
+    Raises
+    ------
+    InputError
+        Where the shown position is inadmissible.
+    """
     coarse = submesh(case.hull, case.channel)
     q = case.position.over(coarse.limits.clearance, case.hull.outline.length)
     try:
         coarse.check(q)
     except PositionError as error:
         raise type(error)(_POSITION.sub("position.", str(error))) from error
-    return to_dataset(generate(coarse, case.mesh), q)
+    mesh = generate(coarse, case.mesh)
+    _warn(mesh)
+    return to_dataset(mesh, q)
+
+
+def _warn(mesh: Mesh) -> None:
+    found = quality(mesh.points, mesh.triangles)
+    needles = int((found < _NEEDLE).sum())
+    if needles:
+        _log.warning(
+            "mesh: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
+            "hull are close or nearly in line; give fewer hull.segments=, or hull.points= further "
+            "apart",
+            found.min(),
+            needles,
+            len(found),
+            _NEEDLE,
+        )

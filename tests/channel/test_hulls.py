@@ -11,6 +11,7 @@ from squat.channel import (
     Channel,
     Curve,
     HalfEllipse,
+    Lewis,
     Polygon,
     Rectangle,
     check_afloat,
@@ -47,6 +48,47 @@ def test_any_hull_is_one_config_line_with_its_length_and_draft(name):
 )
 def test_area_agrees_with_the_closed_form_but_for_the_chords(name, area, tolerance):
     assert hull(name).outline.area == pytest.approx(area, rel=tolerance)
+
+
+def lewis(length, draft, coefficient, segments=400):
+    return Lewis(
+        length=length, draft=draft, wall=1.0, area_coefficient=coefficient, segments=segments
+    )
+
+
+@pytest.mark.parametrize(
+    ("length", "draft"), [(140.0, 8.0), (40.0, 10.0), (18.0, 10.0), (8.0, 9.0)]
+)
+@pytest.mark.parametrize("part", [1e-6, 0.5, 1 - 1e-6])
+def test_a_lewis_form_stays_within_its_box_and_turns_nowhere_back(length, draft, part):
+    least, greatest = lewis(length, draft, 0.7).fullness
+    coefficient = least + part * (greatest - least)
+    x, z = lewis(length, draft, coefficient).outline.vertices.T
+    keel = z.argmin()
+    assert z[keel] == pytest.approx(-draft, rel=1e-12)
+    assert x[keel] == pytest.approx(length / 2, abs=1e-3 * length)  # flat there when full
+    assert np.all(np.diff(z[: keel + 1]) <= 1e-12)
+    assert np.all(np.diff(x) >= -1e-12)
+
+
+@pytest.mark.parametrize(("side", "outside"), [(0, -1e-3), (1, 1e-3)])
+def test_the_range_of_a_lewis_form_is_as_wide_as_can_be(side, outside):
+    within = lewis(140.0, 8.0, 0.7)
+    object.__setattr__(within, "area_coefficient", within.fullness[side] + outside)
+    chain = within.section()
+    below = chain[1:-1, 1]
+    assert below.min() < -8 - 1e-9 or below.max() > -1 + 1e-9
+
+
+def test_a_lewis_form_of_a_half_circle_s_proportions_has_the_range_of_closed_form():
+    assert lewis(18.0, 10.0, 0.7).fullness == pytest.approx(
+        (math.pi / 4 * 3 / 8, math.pi / 4 * 39 / 32)
+    )
+
+
+def test_a_lewis_form_is_stretched_up_to_its_range():
+    longest = lewis(79.5, 10.0, 0.9)
+    assert stretched(lewis(40.0, 10.0, 0.9), longest.outline.area).length == pytest.approx(79.5)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -115,15 +157,92 @@ def test_walls_that_shorten_a_hull_are_remarked_on():
     assert Polygon(points=barge, wall=0.5).remark() == ""
 
 
+def test_a_channel_that_is_short_ahead_of_its_ship_is_remarked_on_with_what_to_give():
+    ship = Rectangle(length=140.0, draft=8.0)
+    line = CHANNEL.remark(ship)
+    assert line.startswith("channel.upstream=40: short for a hull 140 m long;")
+    assert "channel.upstream=140, and" in line
+    assert line.endswith("channel.downstream=210")
+    assert Channel(depth=11.0, upstream=140.0, downstream=60.0).remark(ship) == ""
+
+
+@pytest.mark.parametrize("name", ["fig7", *NAMES])
+def test_the_paper_s_and_all_ready_made_ships_draw_no_remark_in_their_channels(name):
+    channel = "fig7" if name == "fig7" else "paper"
+    case = validate(compose("limits", f"hull={name}", f"channel={channel}")).case
+    assert case.channel.remark(case.hull) == ""
+
+
 def test_a_curve_is_as_long_and_deep_as_its_chords():
     found = hull("curve")
     vertices = found.outline.vertices
     assert found.draft == pytest.approx(-vertices[:, 1].min(), rel=1e-12)
     assert found.length == pytest.approx(vertices[-1, 0] - vertices[0, 0], rel=1e-12)
-    drawn = found.curve()
-    below = drawn[drawn[:, 1] < -found.wall]
-    shifted = below + (vertices[vertices[:, 1].argmin()] - below[below[:, 1].argmin()])
-    assert np.abs(vertices[:, None] - shifted).max(axis=2).min(axis=0).max() < 1e-9
+    apart = np.abs(vertices[1:-1, None] - found.curve()).max(axis=2)
+    assert apart.min(axis=1).max() < 1e-9
+
+
+SHIPS = {
+    "shipped": tuple(map(tuple, compose("equilibria", "hull=curve")["hull"]["points"])),
+    "open": ((0, 0), (0, -1), (8, -8), (110, -8), (140, -3), (140, 0)),
+    "tunnel": ((0, 2), (0, -2), (9, -8), (25, -8), (30, -5), (34, -6), (40, -2), (40, 2)),
+}
+
+
+@pytest.mark.parametrize("points", SHIPS.values(), ids=SHIPS)
+@pytest.mark.parametrize("segments", [3, 60, 400])
+def test_a_curve_has_the_bounding_box_of_its_points_and_turns_back_at_none_but_them(
+    points, segments
+):
+    curve = Curve(points=points, wall=0.5, segments=segments)
+    drawn = curve.curve()
+    for found, given in zip(drawn.T, np.array(points, float).T, strict=True):
+        assert (found.min(), found.max()) == (given.min(), given.max())
+    corners = [int(np.argmin(np.abs(drawn - point).sum(axis=1))) for point in points]
+    assert drawn[corners] == pytest.approx(np.array(points), abs=1e-12)
+    for part in np.split(drawn, corners[1:]):
+        for steps in np.diff(part, axis=0).T:
+            assert np.all(steps <= 0) or np.all(steps >= 0)
+    assert curve.draft == -min(z for _, z in points)
+
+
+def test_a_flat_keel_and_upright_sides_of_a_curve_stay_so():
+    x, z = Curve(points=SHIPS["shipped"], wall=1.0, segments=200).curve().T
+    keel = (x >= 12) & (x <= 28) & (z < 0)
+    assert keel.sum() > 20
+    assert np.all(z[keel] == -10)
+    side = (np.abs(z) <= 2) & (x < 20)
+    assert side.sum() > 5
+    assert np.all(x[side] == 0)
+
+
+@pytest.mark.parametrize("kind", ["polygon", "curve"])
+@pytest.mark.parametrize(
+    ("points", "end"),
+    [
+        ("[[0,0],[0,-1],[8,-8],[110,-8],[140,-3]]", "last point, [140, -3], lies"),
+        ("[[0,3],[0,0],[0,-1],[8,-8],[110,-8],[140,-3]]", "last point, [140, -3], lies"),
+        ("[[0,-1],[8,-8],[110,-8],[140,-3],[140,0]]", "first point, [0, -1], lies"),
+        ("[[0,-1],[8,-8],[110,-8],[140,-3]]", "first point, [0, -1], lies"),
+    ],
+)
+def test_a_list_that_lacks_a_point_on_the_water_line_is_refused_by_its_end(kind, points, end):
+    with pytest.raises(InputError) as caught:
+        hull_of(kind, points)
+    assert str(caught.value).startswith(f"hull.points: the {end} below the water; begin and end")
+
+
+def hull_of(kind, points):
+    return validate(compose("equilibria", f"hull={kind}", f"hull.points={points}")).case.hull
+
+
+def test_a_closed_list_may_begin_anywhere():
+    ring = np.array([(0, 2), (0, -2), (8, -8), (30, -8), (40, -2), (40, 2)], float)
+    found = [
+        Polygon(points=tuple(map(tuple, np.roll(ring, k, axis=0))), wall=1.0).outline
+        for k in range(len(ring))
+    ]
+    assert [one.area for one in found] == pytest.approx([found[0].area] * len(ring))
 
 
 @pytest.mark.parametrize(
@@ -169,6 +288,11 @@ def test_curve_with_coinciding_points_is_refused_by_name():
         (["hull=v", "hull.wall=10.0"], "hull.wall=10: must be less than hull.draft=10"),
         (["hull=rounded_box", "hull.radius=11.0"], "hull.radius=11: must be less"),
         (["hull=lewis", "hull.segments=2"], "hull.segments=2"),
+        (
+            ["hull=lewis", "hull.length=140", "hull.draft=8"],
+            "hull.area_coefficient=0.9: must be within 0.5596 and 0.8909 for a Lewis form",
+        ),
+        (["hull=lewis", "hull.area_coefficient=0.4"], "hull.area_coefficient=0.4: must be within"),
         (
             ["hull=polygon", "hull.points=[[0,0],[4,-9],[4,0],[0,-9]]"],
             "hull.points: the outline crosses itself",

@@ -12,6 +12,15 @@ from squat.records import read
         ([], "squat: task: missing; give task=NAME, one of added_mass,"),
         (["task=foo"], "squat: task=foo: unknown; give one of added_mass,"),
         (["task=piston", "pistn.x=2"], "squat: pistn.x=2: unknown key;"),
+        (
+            ["task=limits", "hull=lewis", "hull.area_coeficient=0.8"],
+            "squat: hull.area_coeficient=0.8: unknown key; did you mean 'hull.area_coefficient'? "
+            "squat task=NAME --cfg job lists the keys",
+        ),
+        (
+            ["-m", "task=piston", "pistn.mass_ratio=1,2", "time.periods=1,2"],
+            "squat: pistn.mass_ratio=1,2: unknown key; did you mean 'piston.mass_ratio'? squat",
+        ),
         (["task=piston", "+pistn.x=2"], "squat: pistn={'x': 2}: unknown key;"),
         (["task=piston", "piston.mass_ratio=0"], "squat: piston.mass_ratio=0: must be greater"),
         (["task=piston", "out=["], "squat: out=[: cannot be read;"),

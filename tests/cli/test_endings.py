@@ -30,6 +30,26 @@ def test_added_mass_is_told_over_the_mass_of_the_ship(said):
     assert ratio == pytest.approx(float(data["mass_ratio"]), abs=error)
 
 
+def test_a_mesh_is_told_by_its_size_and_its_worst_triangle(said, caplog):
+    line, data = said("mesh", "mesh=coarse", "hull=lewis")
+    words = r", (\d+) nodes, (\d+) triangles, least quality (\S+) at rest, (\S+) moved$"
+    nodes, triangles, *worst = map(float, re.search(words, line).groups())
+    assert (nodes, triangles) == (data.sizes["node"], data.sizes["face"])
+    for told, name in zip(worst, ("face_quality", "moved_quality"), strict=True):
+        assert told == pytest.approx(float(data[name].min()), rel=0.05)
+    assert not [record for record in caplog.records if record.levelno >= logging.WARNING]
+
+
+@pytest.mark.parametrize(("surface", "count"), [("rigid_lid", 1), ("zero_pressure", 0)])
+def test_a_channel_that_is_short_ahead_is_remarked_on_once_and_under_the_lid_alone(
+    said, caplog, surface, count
+):
+    quick = "mesh=coarse", "accuracy.near=0.8", "hull.length=60.0"
+    said("added_mass", *quick, f"free_surface={surface}")
+    lines = [record.getMessage() for record in caplog.records]
+    assert sum("channel.upstream=40: short" in line for line in lines) == count
+
+
 def test_limits_are_told_with_errors_and_where_pitch_is_found(said):
     text, data = said("limits", "accuracy.near=0.4")
     for name, speed, error in zip(

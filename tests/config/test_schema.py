@@ -36,7 +36,12 @@ def test_bad_value_names_key_value_and_remedy(overrides, line):
     ("overrides", "line"),
     [
         (["accuracy.refinement=1"], "accuracy.refinement=1: must be greater than or equal to 2"),
-        (["channel.bottom=[[1,2,3]]"], "channel.bottom.0=[1, 2, 3]: must have at most 2 items,"),
+        (["channel.bottom=[[1,2,3]]"], "channel.bottom.0: [1, 2, 3] is no point; give [x, z]"),
+        (
+            ["hull=polygon", "hull.points=[[0,0],[0,-1],[8,-8],[110],[140,0]]"],
+            "hull.points.3: [110] is no point; give [x, z], two numbers in m",
+        ),
+        (["hull.gravity_center=[20]"], "hull.gravity_center: [20] is no point; give [x, z]"),
         (
             ["hull=polygon", "hull.points=[[0,0],[1,-1]]"],
             "hull.points=[[0, 0], [1, -1]]: must have at least 3 items, not 2",
@@ -54,6 +59,27 @@ def test_every_run_task_composes_without_overrides(task):
     valid = validate(compose(task))
     assert isinstance(valid.case, CASES[task])
     assert valid.config["task"] == task
+
+
+@pytest.mark.parametrize(
+    ("overrides", "line"),
+    [
+        (["hull.drafft=8"], "hull.drafft=8: unknown key; did you mean 'hull.draft'? squat task="),
+        (["chanel.depth=11"], "chanel.depth=11: unknown key; did you mean 'channel.depth'? squat"),
+        (["hul=lewis"], "hul=lewis: unknown key; did you mean 'hull'? squat"),
+        (["hull=v", "~hull.wal"], "hull.wal: unknown key; did you mean 'hull.wall'? squat"),
+        (
+            ["hull.lenth=2", "hull.drafft=8"],
+            "hull.lenth=2: unknown key; did you mean 'hull.length'",
+        ),
+        (["hull=lewis", "out=x.nc", "hull.segment=8"], "hull.segment=8: unknown key; did you mean"),
+        (["zzz.qqq=1"], "zzz.qqq=1: unknown key; squat task=NAME --cfg job lists the keys"),
+    ],
+)
+def test_a_misspelt_key_is_answered_with_the_one_that_was_meant(overrides, line):
+    with pytest.raises(InputError) as caught:
+        compose("limits", *overrides)
+    assert str(caught.value).startswith(line)
 
 
 def test_a_group_that_a_task_does_not_use_is_refused():

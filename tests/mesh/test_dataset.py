@@ -13,6 +13,7 @@ from squat.figures.write import FIGURES
 from squat.mesh.run import make, run
 from squat.mesh.ugrid import from_dataset
 from squat.records.mesh_kinds import MESH
+from tests.hulls import NAMES
 
 DRAWN = [name for name, (kind, _) in FIGURES.items() if kind is MESH]
 
@@ -38,6 +39,17 @@ def test_mesh_comes_back_whole_and_moves_as_before(stored, case, hull):
     q = np.array([1.0, -3.0, 0.03])
     assert np.array_equal(back.moved(q), mesh.moved(q))
     assert back.order == mesh.order
+
+
+def test_needles_are_warned_of_by_number_and_ready_made_hulls_have_none(case, caplog):
+    for name in NAMES:
+        run(case("mesh", "mesh=coarse", f"hull={name}"))
+    assert not caplog.records
+    close = "hull.points=[[0,0],[0,-9.99],[0.003,-10],[40,-10],[40,0]]"
+    found = run(case("mesh", "mesh=coarse", "hull=polygon", close))["face_quality"]
+    (line,) = (record.getMessage() for record in caplog.records)
+    assert f"{int((found < 0.01).sum())} of {found.size} triangles below 0.01: needles" in line
+    assert "hull.points=" in line
 
 
 def test_topology_follows_ugrid(stored):

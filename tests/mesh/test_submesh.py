@@ -171,6 +171,7 @@ def test_one_triangle_may_not_straddle_two_zones_and_the_area_is_whole():
 
 
 FEATURES = {"chamfered_box": "chamfer", "rounded_box": "radius"}
+FULLNESS = {"lewis": ("hull.area_coefficient=0.85",)}  # that forms of all proportions can have
 
 
 @pytest.mark.parametrize("length", [8.0, 20.0, 100.0])
@@ -178,7 +179,7 @@ FEATURES = {"chamfered_box": "chamfer", "rounded_box": "radius"}
 @pytest.mark.parametrize("name", NAMES[1:])
 def test_other_proportions_keep_their_orientation_too(name, draft, length):
     size = f"{FEATURES.get(name, 'wall')}={min(draft, length / 2) / 5}"
-    keys = f"hull.length={length}", f"hull.draft={draft}", f"hull.{size}"
+    keys = f"hull.length={length}", f"hull.draft={draft}", f"hull.{size}", *FULLNESS.get(name, ())
     coarse = submesh(hull(name, *keys), Channel(depth=20.0, upstream=40.0, downstream=30.0))
     random = np.random.default_rng(20)
     for fractions in random.uniform(0, 1, (40, 3)):
