@@ -125,7 +125,8 @@ def find_runs(
     folder
         Searched to any depth; a multirun and a folder of results are the same to it.
     where
-        A condition on columns, in pandas' query language; names with dots in backticks.
+        A condition on columns, in pandas' query language; names with dots as they are:
+        ``piston.mass_ratio == 2``.
     sort
         Columns to sort by; ``-name`` is descending.
 

@@ -21,12 +21,24 @@ _log = logging.getLogger(__name__)
 
 def collect(case: Any) -> xr.Dataset:
     """Dataset of kind `sweep`; jobs without one are known by the configuration composed here."""
-    dataset: xr.Dataset = resolve_name("squat.sweeps:collect")(case, _compose, unit)
+    dataset: xr.Dataset = resolve_name("squat.sweeps:collect")(case, _compose, unit, _chosen)
     return dataset
 
 
-def _compose(task: str, *overrides: str) -> dict[str, Any]:
-    return validate(compose(task, *overrides)).config
+def _compose(task: str, *overrides: str) -> tuple[dict[str, Any], str]:
+    config = compose(task, *overrides)
+    try:
+        return validate(config).config, ""
+    except InputError as error:
+        return config, str(error)
+
+
+def _chosen(runs: str, where: str) -> set[Path]:
+    catalogue = resolve_name("squat.catalogue")
+    frame = catalogue.select(catalogue.find(catalogue.places(runs)), where)
+    if frame.empty:
+        raise InputError(f"where={where}: no run in {runs} satisfies it; task=catalogue lists them")
+    return set(map(Path, frame["file"]))
 
 
 def compare(case: Any, path: Path) -> None:

@@ -3,7 +3,7 @@
 import itertools
 import json
 import logging
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ from squat.sweeps.jobs import Compose, Job, find, kind_of
 from squat.sweeps.stack import stack
 
 UnitOf = Callable[[str, str], str | None]
+Choose = Callable[[str, str], Container[Path]]
 
 _log = logging.getLogger(__name__)
 
@@ -34,12 +35,15 @@ class CollectCase:
     ----------
     runs
         Folder of a multirun, `multirun/<task>`, or any folder of datasets of one kind.
+    where
+        A condition on the catalogue's columns; jobs without a dataset satisfy none. Empty: all.
     """
 
     runs: str
+    where: str
 
 
-def collect(case: CollectCase, compose: Compose, unit: UnitOf) -> xr.Dataset:
+def collect(case: CollectCase, compose: Compose, unit: UnitOf, choose: Choose) -> xr.Dataset:
     """Dataset of kind `sweep`.
 
     Parameters
@@ -48,13 +52,15 @@ def collect(case: CollectCase, compose: Compose, unit: UnitOf) -> xr.Dataset:
         Makes a configuration from a task and overrides: for jobs that left no dataset.
     unit
         Unit of a task's dotted key, None where it has none.
+    choose
+        Files in a folder that satisfy a condition.
 
     Raises
     ------
     InputError
         Where the folder holds no dataset, or datasets of several kinds or of the same parameters.
     """
-    jobs = find(Path(case.runs), compose)
+    jobs = find(Path(case.runs), compose, choose(case.runs, case.where) if case.where else None)
     kinds = sorted({kind_of(job.dataset) for job in jobs if job.dataset is not None})
     if len(kinds) > 1:
         raise InputError(f"runs={case.runs}: holds {' and '.join(kinds)}; give runs of one kind")

@@ -1,8 +1,8 @@
 """The jobs of a multirun, as its folder shows them: done, failed, missing."""
 
 import json
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +18,8 @@ PLAN = "jobs.json"
 FAILED = "failed.txt"
 """File in a job's folder that says why the job failed."""
 
-Compose = Callable[..., dict[str, Any]]
+Compose = Callable[..., tuple[dict[str, Any], str]]
+"""Configuration of a task and overrides, and why it is refused; empty: it is not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +38,8 @@ class Job:
         What it wrote, None where it failed or never ended.
     failure
         Why there is no dataset; empty where there is one.
+    refused
+        Whether its configuration holds what no run may have, so that nothing ran.
     """
 
     name: str
@@ -44,6 +47,7 @@ class Job:
     config: Mapping[str, Any] | None
     dataset: xr.Dataset | None
     failure: str = ""
+    refused: bool = False
 
     @property
     def status(self) -> str:
@@ -72,28 +76,48 @@ def _plan(folder: Path) -> dict[str, Any]:
     return plan
 
 
-def find(folder: Path, compose: Compose) -> list[Job]:
-    """Jobs of the multirun (or of the plain folder of datasets) in `folder`, in planned order."""
+def find(folder: Path, compose: Compose, chosen: Container[Path] | None = None) -> list[Job]:
+    """Jobs of the multirun (or of the plain folder of datasets) in `folder`, in planned order.
+
+    Of `chosen` files only those that wrote them; None: all, with those that left no dataset.
+    """
     if not folder.is_dir():
         raise InputError(f"runs={folder}: no such folder; give that of a multirun")
     plan = _plan(folder)
     order = {name: place for place, name in enumerate(plan["jobs"])}
     found: dict[str, Job] = {}
     for path in sorted(folder.rglob("[!.]*.nc")):
-        if path.is_file() and (job := _read(path, folder, plan, compose)):
+        if not path.is_file() or (chosen is not None and path not in chosen):
+            continue
+        if job := _read(path, folder, plan, compose):
             if job.name in found:
                 raise InputError(f"runs={folder}: {job.name} holds several datasets; keep one")
             found[job.name] = job
+    if chosen is None:
+        found |= _without(folder, plan, compose, found)
+    whole = [job.config for job in found.values() if job.dataset is not None]
+    if not whole:
+        raise InputError(f"runs={folder}: holds no dataset; give the folder of a multirun")
+    jobs = [
+        replace(job, config=_filled(job.config, whole[0])) if job.refused else job
+        for job in found.values()
+    ]
+    return sorted(jobs, key=lambda job: (order.get(job.name, len(order)), job.name))
+
+
+def _without(
+    folder: Path, plan: Mapping[str, Any], compose: Compose, found: Container[str]
+) -> dict[str, Job]:
+    """Jobs that failed, and planned ones that are not among those `found`."""
+    absent = {}
     for note in sorted(folder.rglob(FAILED)):
         name = str(note.parent.relative_to(folder))
         reason = note.read_text(encoding="utf-8").partition("\n")[0]
-        found[name] = _absent(name, plan, compose, reason)
+        absent[name] = _absent(name, plan, compose, reason)
     for name in plan["jobs"]:
-        if name not in found:
-            found[name] = _absent(name, plan, compose)
-    if not any(job.dataset is not None for job in found.values()):
-        raise InputError(f"runs={folder}: holds no dataset; give the folder of a multirun")
-    return sorted(found.values(), key=lambda job: (order.get(job.name, len(order)), job.name))
+        if name not in found and name not in absent:
+            absent[name] = _absent(name, plan, compose)
+    return absent
 
 
 def _read(path: Path, folder: Path, plan: Mapping[str, Any], compose: Compose) -> Job | None:
@@ -118,10 +142,18 @@ def kind_of(dataset: xr.Dataset) -> str:
 
 def _absent(name: str, plan: Mapping[str, Any], compose: Compose, failure: str = "") -> Job:
     overrides = plan["jobs"].get(name, ())
-    config = None
+    config, refusal = None, ""
     if overrides:
+        own = (word for word in overrides if not word.startswith("task="))
         try:
-            config = compose(plan["task"], *(o for o in overrides if not o.startswith("task=")))
-        except InputError as error:  # it may be the very reason why there is no dataset
-            failure = failure or str(error)
-    return Job(name, overrides, config, None, failure)
+            config, refusal = compose(plan["task"], *own)
+        except InputError as error:
+            refusal = str(error)
+    return Job(name, overrides, config, None, failure or refusal, refused=bool(refusal))
+
+
+def _filled(config: Any, like: Any) -> Any:
+    """`config` with what a whole job has in place of null: the number that follows there."""
+    if not isinstance(config, Mapping) or not isinstance(like, Mapping):
+        return like if config is None and isinstance(like, float) else config
+    return {key: _filled(value, like.get(key)) for key, value in config.items()}

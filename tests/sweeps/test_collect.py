@@ -12,6 +12,7 @@ import numpy as np
 import psutil
 import pytest
 
+from squat.cli.tasks import collect
 from squat.config import compose, validate
 from squat.config.units import unit
 from squat.errors import InputError
@@ -19,7 +20,7 @@ from squat.piston import run
 from squat.records import build, read, save
 from squat.records.schema import Kind, Variable
 from squat.stability.run import run as equilibria
-from squat.sweeps import FAILED, CollectCase, collect, write_plan
+from squat.sweeps import FAILED, CollectCase, write_plan
 from squat.sweeps.stack import stack
 
 
@@ -28,11 +29,11 @@ def job(tmp_path):
     """Write the dataset of one job as a multirun does."""
 
     def write(name, *overrides, task="piston", make=run):
-        config = compose(task, *overrides)
-        dataset = make(validate(config).case)
+        valid = validate(compose(task, *overrides))
+        dataset = make(valid.case)
         path = tmp_path / name / f"{task}.nc"
         path.parent.mkdir(parents=True, exist_ok=True)
-        save(dataset, path, config, 0.0)
+        save(dataset, path, valid.config, 0.0)
         return dataset
 
     return write
@@ -40,8 +41,8 @@ def job(tmp_path):
 
 @pytest.fixture
 def joined(tmp_path):
-    def make():
-        return collect(CollectCase(runs=str(tmp_path)), compose, unit)
+    def make(where=""):
+        return collect(CollectCase(runs=str(tmp_path), where=where))
 
     return make
 
@@ -154,6 +155,36 @@ def test_failed_and_missing_jobs_are_named_and_have_their_place(job, joined, tmp
     assert "r-1s0: failed: piston.mass_ratio=-1" in caplog.text
 
 
+def test_a_refused_value_has_its_place_beside_numbers_that_follow_from_others(
+    job, joined, tmp_path
+):
+    plan = {
+        depth: ["task=equilibria", "hull=polygon", f"channel.depth={depth}"]
+        for depth in ("16", "20", "-1")
+    }
+    write_plan(tmp_path, "equilibria", plan)
+    job("16", *plan["16"][1:], task="equilibria", make=equilibria)
+    assert compose("equilibria", "hull=polygon")["hull"]["draft"] is None  # of a whole job 10 m
+    sweep = joined()
+    assert json.loads(sweep.attrs["axes"]) == {"depth": "channel.depth"}
+    status = dict(zip(sweep["depth"].values, sweep["job_status"].values, strict=True))
+    assert status == {-1: "failed", 16: "completed", 20: "missing"}
+    assert "channel.depth=-1: must be greater than 0" in str(sweep["job_failure"].sel(depth=-1))
+
+
+def test_of_a_folder_that_holds_several_sweeps_a_condition_joins_one(job, joined, tmp_path):
+    for scheme in ("standard", "corrected"):
+        job(f"a-{scheme}", SHORT, f"scheme={scheme}")
+        job(f"b-{scheme}", SHORT, f"scheme={scheme}", "piston.length=2", "accelerator=aitken")
+    write_plan(tmp_path, "piston", {"c": ["task=piston", "scheme=consistent", SHORT]})
+    sweep = joined("piston.length == 2")
+    assert json.loads(sweep.attrs["axes"]) == {"scheme": "scheme"}
+    assert set(sweep["job_name"].values) == {"b-standard", "b-corrected"}
+    assert json.loads(sweep.attrs["missing"]) == []
+    with pytest.raises(InputError, match="length == 3: no run in"):
+        joined("piston.length == 3")
+
+
 def test_cells_that_nobody_planned_are_named_by_their_parameters(job, joined):
     job("a", SHORT, "scheme=standard")
     job("b", SHORT, "scheme=corrected")
@@ -173,7 +204,7 @@ def test_what_cannot_be_joined_is_one_line(job, joined, tmp_path):
     with pytest.raises(InputError, match="holds equilibria and piston"):
         joined()
     with pytest.raises(InputError, match="no such folder"):
-        collect(CollectCase(runs="nowhere"), compose, unit)
+        collect(CollectCase(runs="nowhere", where=""))
 
 
 def test_a_sweep_is_read_back_and_an_altered_one_refused(job, joined, tmp_path):
@@ -210,7 +241,7 @@ def test_a_killed_sweep_goes_on_with_the_same_command_and_is_joined(squat, tmp_p
     assert done.stderr.count("complete, skipped") >= len(first)
     assert "jobs: 3 of 3" in done.stderr
     assert {path: path.stat().st_mtime_ns for path in first} == stamps
-    whole = collect(CollectCase(runs=str(runs)), compose, unit)
+    whole = collect(CollectCase(runs=str(runs), where=""))
     assert (whole["job_status"] == "converged").all()
     assert list(whole["mass_ratio"].values) == [0.2, 0.3, 0.4]
     assert list(read(tmp_path / "cut.nc")["mass_ratio"].values) == [0.2, 0.3, 0.4]
