@@ -24,8 +24,9 @@ from squat.cli.pipes import quiet_end
 from squat.cli.targets import guard
 from squat.cli.tasks import earlier_end, output, run_task
 from squat.config import CONF, validate
-from squat.config.compose import plain
+from squat.config.compose import plain, plain_choices
 from squat.config.messages import condense
+from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.records import BusyError
 from squat.sweeps import FAILED
@@ -100,8 +101,9 @@ def _entry(config: DictConfig) -> None:
     multirun = job.mode == RunMode.MULTIRUN
     Jobs.job_started, Jobs.outcome, Jobs.earlier = True, "done", ""
     try:
+        valid = validate(plain(config), plain_choices(job.runtime.choices))
         with nullcontext() if multirun else quiet_end():  # Hydra has words for any other error
-            _run(config, folder, multirun)
+            _run(valid, folder, multirun)
     except Exception as error:
         expected = isinstance(error, (InputError, OmegaConfBaseException)) or (
             isinstance(error, OSError) and error.filename is not None
@@ -119,8 +121,7 @@ def _entry(config: DictConfig) -> None:
         _report(line)
 
 
-def _run(config: DictConfig, folder: Path, multirun: bool) -> None:
-    valid = validate(plain(config))
+def _run(valid: Valid, folder: Path, multirun: bool) -> None:
     start_logging(valid.settings.log_level)
     out = valid.settings.out
     path = output(valid, folder if multirun else Path())

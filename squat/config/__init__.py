@@ -1,6 +1,6 @@
 """From `conf/` to checked cases: the same way for the shell, the graph and the tests."""
 
-from squat.config.compose import CONF, compose
+from squat.config.compose import CONF, compose, composed
 from squat.config.schema import CASES, Settings, validate
 
-__all__ = ["CASES", "CONF", "Settings", "compose", "validate"]
+__all__ = ["CASES", "CONF", "Settings", "compose", "composed", "validate"]

@@ -1,14 +1,15 @@
 """Compose a configuration from `conf/` and overrides."""
 
+from collections.abc import Mapping
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from hydra import compose as hydra_compose
 from hydra import initialize_config_dir
 from hydra.core.global_hydra import GlobalHydra
 from hydra.errors import HydraException
-from omegaconf import DictConfig, OmegaConf
+from omegaconf import DictConfig, OmegaConf, open_dict
 from omegaconf.errors import OmegaConfBaseException
 
 import squat
@@ -26,6 +27,13 @@ def _conf() -> Path:
 CONF = _conf()
 
 
+class Composed(NamedTuple):
+    """A resolved configuration, and the choice of each group of `conf/` that it is made of."""
+
+    config: dict[str, Any]
+    choices: dict[str, str]
+
+
 def plain(config: DictConfig) -> dict[str, Any]:
     """Resolved plain containers: equal configurations compare and print equal."""
     container = OmegaConf.to_container(config, resolve=True, throw_on_missing=True)
@@ -33,8 +41,28 @@ def plain(config: DictConfig) -> dict[str, Any]:
     return {str(key): value for key, value in container.items()}
 
 
+def plain_choices(chosen: Mapping[str, Any]) -> dict[str, str]:
+    """Of what Hydra has `chosen`, the groups whose name is their key: `hull`, `mesh`, ...
+
+    Left out are the task, Hydra's own groups, and those put elsewhere (`hull@hulls.mine`).
+    """
+    return {
+        group: choice
+        for group, choice in chosen.items()
+        if not {"@", "/"}.intersection(group) and group != "task" and isinstance(choice, str)
+    }
+
+
 def compose(task: str, *overrides: str) -> dict[str, Any]:
     """Configuration of `squat task=<task> <overrides>` as plain containers, values not checked.
+
+    Raises InputError as `composed` does.
+    """
+    return composed(task, *overrides).config
+
+
+def composed(task: str, *overrides: str) -> Composed:
+    """Configuration of `squat task=<task> <overrides>`, values not checked, with its choices.
 
     Raises
     ------
@@ -48,6 +76,10 @@ def compose(task: str, *overrides: str) -> dict[str, Any]:
     within = GlobalHydra.instance().is_initialized()  # the command line's own Hydra
     with nullcontext() if within else initialize_config_dir(str(CONF), version_base="1.3"):
         try:
-            return plain(hydra_compose("config", words))
+            found = hydra_compose("config", words, return_hydra_config=True)
+            choices = plain_choices(found.hydra.runtime.choices)
+            with open_dict(found):
+                del found["hydra"]
+            return Composed(plain(found), choices)
         except (HydraException, OmegaConfBaseException, ValueError) as error:
             raise InputError(condense(error, words)) from None
