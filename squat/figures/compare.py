@@ -130,7 +130,9 @@ def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
 
     Runs that failed are open markers: what they hold is the state in which they stopped.
     """
-    keys = [name for name in telling(table) if name not in (variable, over)]
+    keys = [
+        name for name in telling(_without_synonyms(table, over)) if name not in (variable, over)
+    ]
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_prop_cycle(CYCLE)
     for values, group in groups:
@@ -143,6 +145,23 @@ def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
             name = ": ".join(filter(None, [label, str(status)]))
             look: Any = {"ls": "", "marker": "o", "mfc": "none", "color": line.get_color()}
             axes.plot(failed[over], failed[variable], ms=4, label=name, **look)
+
+
+def _without_synonyms(table: pd.DataFrame, over: str) -> pd.DataFrame:
+    """`table` less the choice that `over` is part of, and its other parts, if they tell the same.
+
+    Over `mesh.near`, `mesh=coarse` and `mesh=fine` make one line, not two of a point.
+    """
+    group = over.partition(".")[0]
+    same = [
+        name
+        for name in table.columns
+        if name != over
+        and (name == group or name.startswith(f"{group}."))
+        and catalogue.implies(table, name, over)
+        and catalogue.implies(table, over, name)
+    ]
+    return table.drop(columns=same)
 
 
 def _column(name: str, table: pd.DataFrame, units: Units) -> str:

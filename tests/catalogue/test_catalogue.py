@@ -90,11 +90,11 @@ def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searc
             r": piston.mas is no column .*, piston.mass_ratio, ",
         ),
         ("`no such` > 1 and kind == 'x y'", [], r": no such is no column "),
-        ("kind == piston", [], r": piston is no column \(text is quoted, as in 'status == "),
+        ("kind == piston", [], r": text is quoted; give kind == 'piston'$"),
+        ("scheme == standard", [], r": standard is no column \(text is quoted, as in 'status == "),
         ("piston.mas_ratio > 1", [], r"mas_ratio is no column; did you mean piston.mass_ratio\?"),
         ("`no` == 1", [], r": no is no column .*; the file of squat task=catalogue has all"),
-        ("time == 1", [], r": time is no column .*; give one of time.periods, time.\w+$"),
-        ("accelerator == 'none'", [], r"or is no column; did you mean accelerator.name\?"),
+        ("time.dt == 1", [], r": time.dt is no column .*; give one of time.periods, time.\w+$"),
         ("status = 'a=b'", [], r"where=status = 'a=b': = compares nothing; give =="),
         ("kind ==", [], r"where=kind ==: invalid syntax"),
         ("kind.isin(['piston']) and status >", [], r": invalid syntax"),
@@ -104,6 +104,12 @@ def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searc
 def test_what_no_run_has_is_named(runs, where, sort, message):
     with pytest.raises(InputError, match=message):
         select(find([runs]), where, sort)
+
+
+def test_of_files_without_choices_the_key_that_names_one_is_offered(runs):
+    older = find([runs]).drop(columns="accelerator")
+    with pytest.raises(InputError, match=r"or is no column; did you mean accelerator.name\?"):
+        select(older, "accelerator == 'none'")
 
 
 def test_foreign_and_broken_files_are_passed_over(runs, tmp_path, caplog):
