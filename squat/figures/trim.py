@@ -45,8 +45,8 @@ def trim(data: xr.Dataset) -> Figure:
     handles, labels = panels["heave"].get_legend_handles_labels()
     title = "equilibria, and limits of a ship set free at $w$ = {start_heave:.3g} m, "
     title += "pitch {start_pitch:.3g} rad"
-    figure.legend(handles, labels, loc="outside upper center", ncols=2, fontsize=8.5, handlelength=3.2,
-                  title=title.format_map(start))  # fmt: skip
+    figure.legend(handles, labels, loc="outside upper center", ncols=2, fontsize=8.5,
+                  handlelength=3.2, title=title.format_map(start))  # fmt: skip
     return figure
 
 

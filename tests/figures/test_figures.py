@@ -8,11 +8,12 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat import records, transient
-from squat.config import compose
+from squat.config import compose, validate
 from squat.errors import InputError
 from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
 from squat.figures.energy import energy_audit
+from squat.figures.equilibria import fig10
 from squat.figures.labels import of_ships
 from squat.figures.mesh import fig6
 from squat.figures.stability import phase_portrait
@@ -20,6 +21,7 @@ from squat.figures.transient import fig11, fig12
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 from squat.stability.portrait import run as stability
+from squat.stability.run import run as equilibria
 
 DEEP = "channel.bottom=[[-10,0],[10,4],[30,4],[60,-15]]"
 
@@ -104,16 +106,15 @@ def test_pressure_that_a_run_does_not_hold_is_not_drawn(case):
 
 
 @pytest.fixture(scope="module")
-def sailed(case, tmp_path_factory):
+def sailed(tmp_path_factory):
     """The record of a short run."""
     folder = tmp_path_factory.mktemp("sailed")
 
     def run(*more):
         keys = ["mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", *more]
         path = folder / f"{len(list(folder.iterdir()))}.nc"
-        records.save(
-            transient.run(case("transient", *keys)).dataset, path, compose("transient", *keys), 0.0
-        )
+        valid = validate(compose("transient", *keys))
+        records.save(transient.run(valid.case).dataset, path, valid.config, 0.0)
         return records.read(path)
 
     return run
@@ -153,6 +154,40 @@ def test_the_1d_pressure_ends_at_bow_and_stern(sailed):
     (axes,) = fig12(sailed("current=1")).axes
     assert axes.lines[1].get_label().startswith("1D")
     assert np.allclose(axes.lines[1].get_xdata(), [0, 40])
+
+
+def test_a_run_of_many_periods_is_drawn_whole(sailed):
+    short, long = sailed("current=1"), sailed("current=1", "time.periods=0.1")
+    far = long.assign_coords(phase=long["phase"] * 100)
+    figure = fig11(short, far)
+    assert {axes.get_xlim() for axes in figure.axes} == {(0.0, float(far["phase"][-1]))}
+    ends = {round(axes.get_xlim()[1], 9) for axes in fig11(sailed("current=1")).axes}
+    assert ends == {round(float(short["phase"][-1]), 9)}
+
+
+def test_a_raised_stern_is_part_of_the_underside(sailed):
+    """Drawn from bow to stern; and what pitch moves has its own depth of still water."""
+    points = "hull.points=[[0,0],[0,-10],[30,-10],[40,-4],[40,0]]"
+    run = sailed("current=1", "hull=polygon", points)
+    x = fig12(run).axes[0].lines[0].get_xdata()
+    assert (x.min(), x.max()) == (0.0, 40.0)
+    level = run.assign(
+        hull_pressure=1000 * 9.81 * (20 - run["hull_z"]).expand_dims(time=run["time"]),
+        heave=run["heave"] * 0,
+    )
+    assert np.abs(fig12(level).axes[0].lines[0].get_ydata()).max() < 1e-9
+    turned = level.assign(pitch=run["pitch"] * 0 + 0.01)
+    stern = fig12(turned).axes[0].lines[0].get_ydata()[-1] * 1000
+    assert stern == pytest.approx(1000 * 9.81 * 0.01 * (40 - float(run["center"][0])), rel=0.02)
+
+
+@pytest.mark.parametrize(("draft", "count"), [(10.0, 1), (9.0, 0)])
+def test_table_7_is_drawn_beside_its_own_ship_alone(case, draft, count):
+    keys = "equilibria", f"hull.draft={draft}"
+    data = equilibria(case(*keys)).assign_attrs(config=json.dumps(compose(*keys)))
+    figure = fig10(data)
+    names = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert names.count("Table 7, printed") == count
 
 
 def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(case):
