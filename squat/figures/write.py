@@ -19,9 +19,10 @@ from squat.figures.files import save
 from squat.figures.fleet import stability_map
 from squat.figures.hull_shapes import hull_shapes
 from squat.figures.iterations import iterations
+from squat.figures.limits import basins, limits, limits_map
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.race import race
-from squat.figures.stability import basins, limits, limits_map, phase_portrait, potential
+from squat.figures.stability import phase_portrait, potential
 from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
 from squat.figures.trim import trim

@@ -15,8 +15,9 @@ from squat.figures.domain import fig3, fig8
 from squat.figures.energy import energy_audit
 from squat.figures.equilibria import fig10
 from squat.figures.labels import of_ships
+from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
-from squat.figures.stability import phase_portrait
+from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
@@ -202,3 +203,43 @@ def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(c
     curve = phase_portrait(data).axes[0].collections[-1]
     found = np.vstack([path.vertices for path in curve.get_paths()])
     assert found[:, 0].min() > barrier
+
+
+@pytest.fixture(scope="module")
+def slow(case):
+    """The energies of a ship in a shallow channel, at two speeds that it does not survive."""
+    keys = "stability", "mesh=coarse", "portrait=small", "channel.depth=11"
+    valid = validate(compose(*keys, "speeds.cases=[2,2.5]"))
+    return stability(valid.case).assign_attrs(config=json.dumps(valid.config))
+
+
+def test_a_legend_of_portraits_lists_what_is_drawn(slow):
+    names = [text.get_text() for text in phase_portrait(slow).legends[0].get_texts()]
+    assert names == ["energy of the start", "start"]
+    for axes in phase_portrait(slow).axes:
+        curve = np.vstack([path.vertices for path in axes.collections[-1].get_paths()])
+        assert axes.get_xlim()[1] <= float(slow["heave"][-1])
+        assert curve[:, 0].min() < -0.9
+        assert curve[:, 1].max() < axes.get_ylim()[1] < 1.5 * curve[:, 1].max()
+    named = [text.get_text() for text in potential(slow).legends[0].get_texts()]
+    assert "stable" not in named
+
+
+def test_axes_of_limits_and_basins_end_where_their_data_do(slow):
+    (axes,) = limits(slow).axes
+    fastest = float(max(slow["squat_speed_1d"], slow["squat_speed_2d"]))
+    assert fastest < axes.get_xlim()[1] < 1.2 * fastest
+    ends = {line.get_label(): line.get_xydata()[-1] for line in axes.lines}
+    for name in ("1D", "2D"):
+        fold = [float(slow[f"squat_{what}_{name.lower()}"]) for what in ("speed", "sinkage")]
+        assert np.array_equal(ends[f"{name} stable"], fold)
+        assert np.array_equal(ends[f"{name} unstable"], fold)
+    reached, velocity = slow["initial_heave"].values[3:6], slow["initial_velocity"].values
+    map_ = np.full((slow.sizes["initial_heave"], slow.sizes["initial_velocity"]), np.nan)
+    map_[3:6] = [0.5, 0.4, *[0.0] * (len(velocity) - 2)]
+    shown = slow.assign(limit_map=(("initial_heave", "initial_velocity"), map_))
+    axes = basins(shown).axes[0]
+    assert axes.get_xlim() == (reached[0], reached[-1])
+    assert axes.get_ylim() == (-velocity[2], velocity[2])
+    with pytest.raises(InputError, match=r"portrait\.heaves"):
+        basins(shown.assign(limit_map=shown["limit_map"] * np.nan))
