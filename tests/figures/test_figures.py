@@ -95,7 +95,10 @@ def test_energy_audit_names_runs_by_what_differs(sailed):
     figure = energy_audit(deep, shallow)
     names = [text.get_text() for text in figure.axes[-1].get_legend().get_texts()]
     assert names == ["draft = 10", "draft = 8"]
-    assert figure.get_suptitle() == "Energy since $t$ = 0: draft = 10"
+    assert figure.get_suptitle() == "Energy since $t$ = 0, 2 runs"
+    assert [axes.get_title().partition("\n")[2] for axes in figure.axes[:2]] == [
+        "draft = 10, first of 2 runs"
+    ] * 2
     assert "printed" in energy_audit(deep).get_suptitle()
 
 
