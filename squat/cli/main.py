@@ -5,6 +5,7 @@ import os
 import sys
 import warnings
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import NoReturn
 
 import hydra
@@ -42,6 +43,9 @@ def main() -> None:
     Jobs.reset()
     if sys.argv[1:] == ["--version"]:
         print(f"squat {squat.__version__}")
+        return
+    if {"task=figure", "figure=list"} <= set(sys.argv[1:]):
+        print(resolve_name("squat.figures.write:catalogue")())
         return
     try:
         sys.argv[1:] = with_lists(sys.argv[1:])

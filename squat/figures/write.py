@@ -84,7 +84,18 @@ class FigureCase:
 
     def __post_init__(self) -> None:
         if self.figure not in FIGURES:
-            raise InputError(f"figure={self.figure}: unknown; give one of {', '.join(FIGURES)}")
+            raise InputError(
+                f"figure={self.figure}: unknown; give one of {', '.join(FIGURES)}; "
+                "squat task=figure figure=list tells what each shows"
+            )
+
+
+def catalogue() -> str:
+    """One line a figure: its name, the task whose dataset it draws, and what it shows."""
+    return "\n".join(
+        f"{name:<15} {kind.name:<13} {(draw.__doc__ or '').partition(chr(10))[0]}"
+        for name, (kind, draw) in FIGURES.items()
+    )
 
 
 def write_figure(case: FigureCase, path: Path) -> None:

@@ -8,6 +8,8 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat import records, transient
+from squat.cli.main import main
+from squat.cli.tasks import TASKS
 from squat.config import compose, validate
 from squat.errors import InputError
 from squat.figures.added_mass import fig7
@@ -19,6 +21,7 @@ from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
+from squat.figures.write import FIGURES, FigureCase
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 from squat.stability.portrait import run as stability
@@ -43,6 +46,28 @@ def test_labels_of_isovalues_stay_apart_and_off_the_hull(case, hull):
 
 
 BARGE = ("hull.length=110.0", "hull.draft=3.2", "channel.depth=4.5", "channel.upstream=110.0")
+
+
+def test_isovalues_under_a_long_hull_have_their_numbers(case):
+    data = added_mass(case("added_mass", "mesh=coarse", "accuracy.near=0.4", *BARGE))
+    for axes in fig7(data).axes:
+        assert sum(0 < text.get_position()[0] < 110 for text in axes.texts) > 4
+        assert axes.xaxis.get_tick_params()["labelbottom"]
+
+
+@pytest.mark.parametrize("more", [("hull=curve",), BARGE])
+def test_no_label_of_a_dimension_crosses_hull_or_bottom(case, more):
+    figure = fig8(mesh(case("mesh", "mesh=coarse", *more)))
+    FigureCanvasAgg(figure).draw()
+    (axes,) = figure.axes
+    labels = [text for text in axes.texts if "=" in text.get_text()]
+    assert len(labels) == 6
+    for text in labels:
+        box = text.get_window_extent().padded(-1)
+        for line in axes.lines[:-1]:
+            points = axes.transData.transform(line.get_xydata())
+            steps = np.linspace(points[:-1], points[1:], 50).reshape(-1, 2)
+            assert not any(box.contains(x, y) for x, y in steps)
 
 
 @pytest.mark.parametrize("draw", [fig3, fig6, fig8])
@@ -246,3 +271,14 @@ def test_axes_of_limits_and_basins_end_where_their_data_do(slow):
     assert axes.get_ylim() == (-velocity[2], velocity[2])
     with pytest.raises(InputError, match=r"portrait\.heaves"):
         basins(shown.assign(limit_map=shown["limit_map"] * np.nan))
+
+
+def test_the_list_of_figures_says_what_each_shows_and_of_which_task(monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["squat", "task=figure", "figure=list"])
+    main()
+    rows = [line.split(maxsplit=2) for line in capsys.readouterr().out.splitlines()]
+    assert {name: task for name, task, _ in rows} == {n: k.name for n, (k, _) in FIGURES.items()}
+    assert {task for _, task, _ in rows} <= set(TASKS)
+    assert all(len(shows.split()) > 3 for *_, shows in rows)
+    with pytest.raises(ValueError, match="figure=list tells what each shows"):
+        FigureCase(figure="fig99", data="x.nc")
