@@ -6,6 +6,7 @@ import sys
 import warnings
 from contextlib import nullcontext
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import NoReturn
 
 import hydra
@@ -50,6 +51,9 @@ def _main() -> None:
     Jobs.reset()
     if sys.argv[1:] == ["--version"]:
         print(f"squat {squat.__version__}")
+        return
+    if {"task=figure", "figure=list"} <= set(sys.argv[1:]):
+        print(resolve_name("squat.figures.write:catalogue")())
         return
     try:
         sys.argv[1:] = with_lists(sys.argv[1:])

@@ -1,6 +1,7 @@
 """Chosen runs in one picture: a variable over time, or a headline figure over a key."""
 
 import logging
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
@@ -17,6 +18,7 @@ from squat import catalogue, records
 from squat.errors import InputError
 from squat.figures.files import save
 from squat.figures.labels import named, telling
+from squat.figures.lacking import remedy, variables
 from squat.figures.style import CYCLE, SETTINGS, single
 from squat.quantities import STRICT
 
@@ -27,7 +29,8 @@ Units = Callable[[str, str], str | None]
 _DONE = ("completed", "converged", "turned")
 """How runs end that have a result; kinds that have no status always do."""
 _LINE = 0.17  # in, height of a line of the legend
-_KEYS = ("variable", "over")
+_WIDE = 42  # letters in a line of an axis label
+_FIXED = "\N{NO-BREAK SPACE}"
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
 
@@ -82,7 +85,7 @@ def draw(table: pd.DataFrame, variable: str, over: str | None, units: Units = _n
         axes.set_xlabel(_column(over, kept, units))
         axes.set_ylabel(_column(variable, kept, units))
     else:
-        held = table["file"].map(lambda file: set(wanted) <= _variables(file))
+        held = table["file"].map(lambda file: set(wanted) <= set(variables(file)))
         kept = _kept(table, held, wanted)
         _lines(axes, kept, variable, over)
     if lacking := len(table) - len(kept):
@@ -97,15 +100,8 @@ def _kept(table: pd.DataFrame, held: "pd.Series[bool]", wanted: list[str]) -> pd
     """The rows that hold what is wanted; InputError where none does."""
     if held.any():
         return table[held]
-    own = ", ".join(sorted(_variables(table["file"].iloc[0])))
-    asked = " ".join(f"{key}={name}" for key, name in zip(_KEYS, wanted, strict=False))
-    raise InputError(f"{asked}: no run has that; give what they have, as {own}")
-
-
-def _variables(file: str) -> set[str]:
-    """Names of the variables in a file that the catalogue found whole."""
-    with File(file, "r") as opened:
-        return set(opened.variables)
+    variable, *over = wanted
+    raise InputError(remedy(table, variable, over[0] if over else None))
 
 
 def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> None:
@@ -187,4 +183,6 @@ def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
 
 
 def _axis(name: str, units: str) -> str:
-    return f"{name} [{'-' if units == '1' else units}]"
+    """Label in lines that fit beside the axes, the units whole at its end."""
+    unit = "-" if units == "1" else units.replace(" ", _FIXED)
+    return textwrap.fill(f"{name} [{unit}]", _WIDE).replace(_FIXED, " ")

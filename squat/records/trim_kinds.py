@@ -20,6 +20,12 @@ TRIM = Kind(
         ),
         "trimmed_heave": Variable(_TRIMMED, "m", "heave of these"),
         "trimmed_pitch": Variable(_TRIMMED, "rad", "pitch of these, positive bow down"),
+        "trimmed_unstable": Variable(
+            _TRIMMED,
+            "1",
+            "modes that give way there: 0 stable, 1 a saddle; absent in older files",
+            required=False,
+        ),
         "length": Variable((), "m", "length of the water plane"),
         "displacement": Variable((), "m2", "submerged area at rest"),
         "squat_speed_1d": Variable((), "m s-1", "1D squat speed, Eq. (27)"),

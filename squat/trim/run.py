@@ -159,6 +159,7 @@ def _trimmed(modes: Modes, case: TrimCase, limits: dict[str, Any]) -> dict[str, 
         "trimmed_current": [p.current for p in points],
         "trimmed_heave": [p.position[0] for p in points],
         "trimmed_pitch": [p.position[1] for p in points],
+        "trimmed_unstable": np.array([p.unstable for p in points], int),
     }
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import squat as api
 from squat.catalogue import (
@@ -22,7 +23,7 @@ from squat.catalogue import (
 from squat.catalogue.difference import difference
 from squat.config.units import unit
 from squat.errors import InputError
-from squat.figures.compare import CompareCase, draw, write_compare
+from squat.figures.compare import CompareCase, _axis, draw, write_compare
 from squat.figures.labels import telling
 
 RATIOS = (0.5, 2.0, 0.9)
@@ -204,6 +205,34 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         assert f"mass_ratio = {ratio:g}" in line.get_label()
     with pytest.raises(InputError, match=r"variable=heave: no run has that; .* as .*position"):
         draw(table, "heave", None)
+
+
+@pytest.mark.parametrize(
+    ("variable", "over", "said"),
+    [
+        ("position", "piston.mass_ratio", "position is no single number .* over time; .*velocity"),
+        ("result.steps", "position", "position is no single number .*result.position_min"),
+        ("position", "heave", "^over=heave: no run has that"),
+        ("time_step", "piston.mass_ratio", "give result.time_step"),
+    ],
+)
+def test_what_cannot_be_compared_is_told_apart_from_what_is_not_there(runs, variable, over, said):
+    table = select(find([runs]), "kind == 'piston'")
+    with pytest.raises(InputError, match=said):
+        draw(table, variable, over)
+
+
+def test_units_stay_whole_at_the_end_of_long_labels(runs):
+    table = select(find([runs]), "kind == 'piston'")
+    long = "velocity of the piston along its long axis, positive up"
+    assert _axis(long, "m s-1").splitlines()[-1].endswith("[m s-1]")
+    figure = draw(table, "position", None)
+    (axes,) = figure.axes
+    axes.set_ylabel(_axis(long + ", seen by one who stands still on the bank", "kg m-1 s-2"))
+    FigureCanvasAgg(figure).draw()
+    box = axes.yaxis.label.get_window_extent()
+    assert figure.bbox.contains(box.x0, box.y0)
+    assert figure.bbox.contains(box.x1, box.y1)
 
 
 def test_runs_that_failed_are_open_markers_beside_the_line_of_the_others(runs):

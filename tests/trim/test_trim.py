@@ -244,3 +244,34 @@ def test_the_well_is_where_descent_from_the_start_ends():
     U = np.array([[0.0, 1.0, 2.0, 3.0], [5.0, 4.0, 3.0, 2.5], [6.0, 7.0, 8.0, 2.0]])
     assert _well(U, (2, 0)) == (0, 0)
     assert _well(U, (2, 3)) == (2, 3)
+
+
+def test_the_picture_calls_stable_what_the_dataset_counts_as_such(recorded):
+    """Of both branches; a hull that trims from rest has stable equilibria on either."""
+    turned = recorded.assign(
+        unstable=("point", np.arange(recorded.sizes["point"]) // 4 % 3),
+        trimmed_unstable=("trimmed_point", np.arange(recorded.sizes["trimmed_point"]) % 2),
+    )
+    for axes, name in zip(draw(turned).axes, ("heave", "pitch"), strict=True):
+        unit = {"heave": 1.0, "pitch": 180 / np.pi}[name]
+        solid = [line for line in axes.lines if line.get_linestyle() == "-" and len(_x(line)) > 2]
+        rest = np.concatenate([line.get_ydata() for line in solid if line.get_linewidth() < 4])
+        stable = unit * turned[name].values[turned["unstable"].values == 0]
+        assert set(stable) <= set(rest)
+        assert len(rest) < turned.sizes["point"]
+    labels = [text.get_text() for text in draw(turned).legends[0].get_texts()]
+    assert len(labels) == len(set(labels))
+    assert {"from rest, stable", "through the lowest pass, stable"} <= set(labels)
+    assert not any("level" in label or "trimmed" in label for label in labels)
+
+
+def test_an_older_file_that_counts_nothing_on_the_second_branch_claims_nothing(recorded):
+    legend = draw(recorded.drop_vars("trimmed_unstable")).legends[0]
+    labels = [text.get_text() for text in legend.get_texts()]
+    assert [label for label in labels if "lowest pass," in label] == [
+        "through the lowest pass, stability not recorded"
+    ]
+
+
+def _x(line):
+    return line.get_xdata()
