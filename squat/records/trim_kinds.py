@@ -35,7 +35,9 @@ TRIM = Kind(
         "squat_sinkage": Variable((), "m", "heave at the fold"),
         "squat_trim": Variable((), "rad", "pitch at the fold, positive bow down"),
         "heave_only_limit": Variable(
-            (), "m s-1", "dynamic squat speed of the start with its pitch locked"
+            (),
+            "m s-1",
+            "dynamic squat speed of the start, pitch locked at start_pitch (task=limits: at zero)",
         ),
         "heave_only_limit_error": Variable(
             (), "m s-1", "its error, from coarser meshes; NaN: none"
