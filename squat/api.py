@@ -77,8 +77,8 @@ def run(task: str, *overrides: str) -> xr.Dataset:
     if task in FILES:
         raise InputError(f"task={task}: makes no dataset; give one of {', '.join(TASKS)}")
     started = time.perf_counter()
-    valid = config.validate(config.compose(task, *overrides))
-    return records.stamp(compute(valid), valid.config, started)
+    valid = config.validate(*config.composed(task, *overrides))
+    return records.stamp(compute(valid), valid.config, started, choices=valid.choices)
 
 
 def compose(task: str, *overrides: str) -> dict[str, Any]:
@@ -133,8 +133,9 @@ def find_runs(
     Returns
     -------
     pandas.DataFrame
-        `file`, `kind`, `status`, the configuration under dotted keys (`hull.draft`), and
-        headline figures (`result.heave_last`, ...); absent ones are missing.
+        `file`, `kind`, `status`, the choices by their groups (`hull`), the configuration under
+        dotted keys (`hull.draft`), and headline figures (`result.heave_last`, ...); absent ones
+        are missing, choices in files of older squats too.
 
     Examples
     --------

@@ -3,15 +3,18 @@
 from squat.catalogue.difference import DifferenceCase, write_difference
 from squat.catalogue.find import RESULT, find, places
 from squat.catalogue.headlines import units
-from squat.catalogue.select import columns, select, varying
+from squat.catalogue.select import OWN_NAMES, columns, implies, parts, select, varying
 from squat.catalogue.task import CatalogueCase, write_catalogue
 
 __all__ = [
+    "OWN_NAMES",
     "RESULT",
     "CatalogueCase",
     "DifferenceCase",
     "columns",
     "find",
+    "implies",
+    "parts",
     "places",
     "select",
     "units",

@@ -8,7 +8,11 @@ from pydantic.dataclasses import dataclass
 
 from squat import records
 from squat.catalogue.find import find
+from squat.catalogue.select import parts
 from squat.quantities import STRICT
+
+_LONGEST = 40
+"""Letters of a value that are printed, of a hull's points say."""
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -25,14 +29,19 @@ class DifferenceCase:
 
 
 def difference(first: Path, second: Path) -> pd.DataFrame:
-    """Keys and headline figures in which two runs differ, one row each: key, first, second."""
+    """Keys and headline figures in which two runs differ, one row each: key, first, second.
+
+    Choices are among the keys, where both files tell them.
+    """
     pair = find([first]), find([second])
     names = list(dict.fromkeys([*pair[0].columns, *pair[1].columns]))
+    choices = [name for name in parts(pd.concat(pair)) if "." not in name]
     rows = []
     for name in names:
         one, other = (frame[name].iloc[0] if name in frame else None for frame in pair)
-        both_missing = pd.isna(one) and pd.isna(other)
-        if name != "file" and not both_missing and one != other:
+        missing = [pd.isna(one), pd.isna(other)]
+        untold = all(missing) or (any(missing) and name in choices)
+        if name != "file" and not untold and one != other:
             rows.append({"key": name, str(first): one, str(second): other})
     return pd.DataFrame(rows, columns=["key", str(first), str(second)])
 
@@ -40,12 +49,16 @@ def difference(first: Path, second: Path) -> pd.DataFrame:
 def write_difference(case: DifferenceCase, path: Path) -> None:
     """Print the difference, and write it to `path` as CSV."""
     frame = difference(*map(Path, case.runs))
+    records.save_table(frame, path)
     shown = frame.apply(_short, axis=1, result_type="broadcast")
     print(shown.to_string(index=False, na_rep="-") if len(frame) else "no difference")
-    records.save_table(frame, path)
 
 
 def _short(row: "pd.Series[Any]") -> list[object]:
-    """A row with numbers of six digits, or of all where six would make them equal."""
-    short = [f"{value:.6g}" if isinstance(value, float) else value for value in row]
+    """A row with numbers of six digits and short texts, or all of them where that makes equal."""
+    short = [f"{v:.6g}" if isinstance(v, float) else _cut(v) for v in row]
     return short if short[1] != short[2] else list(row.astype(str))
+
+
+def _cut(value: object) -> object:
+    return f"{value[:_LONGEST]}..." if isinstance(value, str) and len(value) > _LONGEST else value

@@ -1,7 +1,6 @@
 """Runs are found by what their files say of themselves, not by where they lie."""
 
 import gc
-import json
 import logging
 import os
 from collections.abc import Iterable, Iterator, Sequence
@@ -11,7 +10,7 @@ from typing import Any
 import pandas as pd
 from h5netcdf import File
 
-from squat.catalogue.flat import flatten
+from squat.catalogue.flat import row_of
 from squat.catalogue.headlines import headline
 from squat.errors import InputError
 from squat.records.files import quiet
@@ -27,8 +26,9 @@ FIXED = ["file", "kind", "status"]
 def find(places: Iterable[Path]) -> pd.DataFrame:
     """One row for every file of squat's in `places` (files, or folders searched to any depth).
 
-    Columns are `FIXED`, the configuration under dotted keys, then the headline figures under
-    ``result.``. NetCDF files of others are passed over, broken ones named in a warning.
+    Columns are `FIXED`, the choices by their groups and the configuration under dotted keys, then
+    the headline figures under ``result.``. NetCDF files of others are passed over, broken ones
+    named in a warning.
 
     Raises
     ------
@@ -92,7 +92,7 @@ def _read(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:
             parts = str(file.attrs.get("schema", "")).split("/")
             if parts[0] != "squat" or len(parts) != 3 or "config" not in file.attrs:
                 return None
-            config = flatten(json.loads(file.attrs["config"]))
+            config = row_of(file.attrs)
             row = {"file": str(path), "kind": parts[1], "status": file.attrs.get("status")}
             figures = {f"{RESULT}{key}": n for key, n in headline(parts[1], file).items()}
             return {**row, **config, **figures}

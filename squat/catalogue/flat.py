@@ -5,10 +5,16 @@ from collections.abc import Mapping
 from typing import Any
 
 from squat.records.identity import HOUSEKEEPING
+from squat.records.provenance import choices_of
 
 _NOT_PHYSICS = ("task", *HOUSEKEEPING)
 _FILES = ("inputs", "data", "runs", "tables", "transients", "pitching")
 """Groups and keys that hold paths: where a run got its files says nothing about its result."""
+
+
+def row_of(attributes: Mapping[str, Any]) -> dict[str, Any]:
+    """Choices by their groups, then the configuration; a key of a group's name is itself."""
+    return {**choices_of(attributes), **flatten(json.loads(attributes["config"]))}
 
 
 def flatten(config: Mapping[str, Any]) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 import difflib
 import re
 from collections.abc import Sequence
+from typing import Any
 
 import pandas as pd
 
@@ -14,6 +15,10 @@ _CALLS = ("isin", "isna", "notna", "between", "abs", "contains", "startswith", "
 _GRAMMAR = ("and", "or", "not", "in", "True", "False", "None")
 _QUOTED = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`""")
 _ASSIGNED = re.compile(r"(?<![=<>!])=(?!=)")
+OWN_NAMES = (".name", ".shape")
+"""Ends of the keys by which a node of a configuration names itself."""
+_BARE = re.compile(r"\b((?:kind|status)\s*[=!]=\s*)([^\W\d]\w*)")
+"""A kind or a status compared with a word that is not quoted; it may be a column's name."""
 _LISTED = 12
 """Names of columns that a message has room for."""
 _WORD = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`|[^\W\d][\w.]*""")
@@ -59,8 +64,8 @@ def _by_numbers(frame: pd.DataFrame) -> pd.Index:
 def columns(frame: pd.DataFrame, names: Sequence[str]) -> pd.DataFrame:
     """The columns `names`, or where none are given those that tell the runs apart.
 
-    What follows from the name of a choice (`coupling.name`) is left out then. A run alone has
-    nobody to differ from: its headline figures are shown.
+    What follows from a choice (`coupling`) is left out then. A run alone has nobody to differ
+    from: its headline figures are shown.
     """
     _known(names, frame, "columns")
     alone = [
@@ -70,26 +75,48 @@ def columns(frame: pd.DataFrame, names: Sequence[str]) -> pd.DataFrame:
 
 
 def varying(frame: pd.DataFrame) -> list[str]:
-    """Columns beside the fixed ones that do not have one value in all rows."""
-    return [
-        str(name)
-        for name in frame.columns
-        if name not in FIXED and len(frame[name].drop_duplicates()) > 1
-    ]
+    """Columns beside the fixed ones that do not have one value in all rows.
+
+    A choice that older files do not tell is not another one.
+    """
+    groups = [name for name in parts(frame) if "." not in name]
+
+    def values(name: str) -> "pd.Series[Any]":
+        return (frame[name].dropna() if name in groups else frame[name]).drop_duplicates()
+
+    return [str(name) for name in frame.columns if name not in FIXED and len(values(name)) > 1]
+
+
+def parts(frame: pd.DataFrame) -> dict[str, str]:
+    """What the parts of a choice begin with, by the columns that name one.
+
+    Such are a group of `conf/` (`hull`), and what a node says of itself (`coupling.name`).
+    """
+    names = [str(name) for name in frame.columns]
+    groups = {name.partition(".")[0] for name in names if "." in name}
+    found = {name: f"{name}." for name in names if name in groups}
+    own = {name: name.rpartition(".")[0] + "." for name in names if name.endswith(OWN_NAMES)}
+    return {**found, **own}
+
+
+def implies(frame: pd.DataFrame, one: str, other: str) -> bool:
+    """Whether in `frame` the value of `one` tells that of `other`."""
+    return len(frame[[one, other]].drop_duplicates()) == frame[one].nunique(dropna=False)
 
 
 def _telling(frame: pd.DataFrame) -> list[str]:
-    """What varies, but for the parts of a choice that its name implies."""
+    """What varies, but for the parts of a choice that it implies."""
     names = varying(frame)
-    choices = [name for name in names if name.endswith(".name")]
     implied = {
         name
-        for choice in choices
+        for choice, prefix in parts(frame).items()
         for name in names
-        if name.startswith(choice.removesuffix("name"))
-        and len(frame[[choice, name]].drop_duplicates()) == frame[choice].nunique(dropna=False)
+        if choice in names
+        and choice != name
+        and name.startswith(prefix)
+        and implies(frame, choice, name)
     }
-    return [name for name in names if name not in implied.difference(choices)]
+    return [name for name in names if name not in implied]
 
 
 def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:
@@ -98,7 +125,9 @@ def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:
     names = [str(name) for name in frame.columns]
     for word in _WORD.findall(where):
         asked = word.strip("`")
-        known = any(asked == name or asked.startswith(f"{name}.") for name in names)
+        owner, _, method = asked.rpartition(".")
+        called = method in _CALLS and owner.removesuffix(".str") in names
+        known = called or asked in names
         if not (known or word.startswith(("'", '"')) or word in _GRAMMAR):
             return _unknown(asked, names)
     reason = str(error).splitlines()[0]
@@ -130,9 +159,11 @@ def _quoted(where: str, frame: pd.DataFrame) -> str:
 
 
 def _harmless(where: str) -> None:
-    """Refuse what would make of a condition a program."""
+    """Refuse what would make of a condition a program, or hold a word for a column."""
     bare = _QUOTED.sub("''", where)
     called = [name for name in re.findall(r"(\w+)\s*\(", bare) if name not in _GRAMMAR]
+    if found := _BARE.search(bare):
+        raise InputError(f"where={where}: text is quoted; give {found[1]}'{found[2]}'")
     if "@" in bare or "__" in bare or set(called) - set(_CALLS):
         raise InputError(
             f"where={where}: only columns, values, comparisons and {', '.join(_CALLS)} are read"

@@ -41,8 +41,10 @@ class CatalogueCase:
 
 
 def write_catalogue(case: CatalogueCase, path: Path) -> None:
-    """Print the chosen rows and columns; write the chosen rows with all columns to `path`."""
+    """Write the chosen rows with all columns to `path`; print them with the chosen columns."""
     frame = select(find(places(case.runs)), case.where, case.sort)
+    with records.atomic(path) as temporary:
+        frame.to_parquet(temporary, index=False)
     parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
     for part in parts:
         shown = columns(part, case.columns)
@@ -52,8 +54,6 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
             print(f"not shown: {', '.join(left)}")
         print()
     print(f"{len(frame)} runs; {path} has all columns")
-    with records.atomic(path) as temporary:
-        frame.to_parquet(temporary, index=False)
 
 
 def _text(frame: pd.DataFrame) -> str:

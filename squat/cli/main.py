@@ -4,7 +4,9 @@ import logging
 import os
 import sys
 import warnings
+from contextlib import nullcontext
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import NoReturn
 
 import hydra
@@ -19,11 +21,13 @@ import squat
 from squat.cli.arguments import with_lists
 from squat.cli.jobs import Jobs, check, note_failure
 from squat.cli.log import start_logging
+from squat.cli.pipes import quiet_end
 from squat.cli.targets import guard
 from squat.cli.tasks import earlier_end, output, run_task
 from squat.config import CONF, validate
 from squat.config.messages import condense
-from squat.config.raw import plain
+from squat.config.raw import plain, plain_choices
+from squat.config.schema import Valid
 from squat.errors import InputError
 from squat.records import BusyError
 from squat.sweeps import FAILED
@@ -35,13 +39,21 @@ _ANY_TASK = "task=piston"  # Hydra composes before it prints its help, and a tas
 
 
 def main() -> None:
-    """Run `squat`; exit code 0 for any result, 2 for bad input."""
+    """Run `squat`; exit code 0 for any result, 2 for bad input, 141 where nobody reads on."""
+    with quiet_end():
+        _main()
+
+
+def _main() -> None:
     os.environ["HYDRA_FULL_ERROR"] = "1"  # errors reach this function, not Hydra's printer
     guard()
     warnings.filterwarnings("error", "provider=", UserWarning)  # a search path that does not exist
     Jobs.reset()
     if sys.argv[1:] == ["--version"]:
         print(f"squat {squat.__version__}")
+        return
+    if {"task=figure", "figure=list"} <= set(sys.argv[1:]):
+        print(resolve_name("squat.figures.write:catalogue")())
         return
     try:
         sys.argv[1:] = with_lists(sys.argv[1:])
@@ -53,6 +65,8 @@ def main() -> None:
     except TerminatedWorkerError:
         _report("a job was killed, for want of memory perhaps; the same command goes on from here")
         sys.exit(BAD_INPUT)
+    except BrokenPipeError:
+        raise
     except MemoryError:
         _report(f"not enough memory; give a smaller case (in: {' '.join(sys.argv[1:])})")
         sys.exit(BAD_INPUT)
@@ -91,7 +105,9 @@ def _entry(config: DictConfig) -> None:
     multirun = job.mode == RunMode.MULTIRUN
     Jobs.job_started, Jobs.outcome, Jobs.earlier = True, "done", ""
     try:
-        _run(config, folder, multirun)
+        valid = validate(plain(config), plain_choices(job.runtime.choices))
+        with nullcontext() if multirun else quiet_end():  # Hydra has words for any other error
+            _run(valid, folder, multirun)
     except Exception as error:
         expected = isinstance(error, (InputError, OmegaConfBaseException)) or (
             isinstance(error, OSError) and error.filename is not None
@@ -109,8 +125,7 @@ def _entry(config: DictConfig) -> None:
         _report(line)
 
 
-def _run(config: DictConfig, folder: Path, multirun: bool) -> None:
-    valid = validate(plain(config))
+def _run(valid: Valid, folder: Path, multirun: bool) -> None:
     start_logging(valid.settings.log_level)
     out = valid.settings.out
     path = output(valid, folder if multirun else Path())

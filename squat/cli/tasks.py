@@ -138,7 +138,7 @@ def _written(valid: Valid, path: Path, started: float) -> xr.Dataset:
         dataset, groups = resolve_name(GROUPED["reduced"])(valid.case)
     else:
         dataset = resolve_name(DATASETS[task])(valid.case)
-    records.save(dataset, path, valid.config, started, groups)
+    records.save(dataset, path, valid.config, started, groups, valid.choices)
     return dataset
 
 
@@ -149,7 +149,7 @@ def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
     dataset: xr.Dataset
     dataset, fields = resolve_name(GROUPED["transient"])(valid.case, segments)
     groups = {} if fields is None else {"fields": fields}
-    records.save(dataset, path, valid.config, started, groups)
+    records.save(dataset, path, valid.config, started, groups, valid.choices)
     segments.clear()
     return dataset
 

@@ -8,7 +8,7 @@ from hydra.errors import HydraException
 from omegaconf import OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
-from squat.config.raw import composed
+from squat.config.raw import merged
 
 
 def near(key: str, arguments: Sequence[str]) -> str:
@@ -21,7 +21,7 @@ def near(key: str, arguments: Sequence[str]) -> str:
     others = [word for word in words if word.lstrip("+~").partition("=")[0] != key]
     for tried in (others, [word for word in words if word.startswith("task=")]):
         try:
-            config = OmegaConf.to_container(composed(tried))
+            config = OmegaConf.to_container(merged(tried).config)
         except (HydraException, OmegaConfBaseException, ValueError):
             continue
         return next(iter(difflib.get_close_matches(key, list(_keys(config)), n=1)), "")

@@ -92,11 +92,13 @@ class Valid(NamedTuple):
 
     In `config`, null stands only for what the case leaves open too: a number that its classes take
     in place of it (say, a hull's draft from its points) is there, for records and their readers.
+    `choices` are the names in `conf/` that it was composed of, by their groups.
     """
 
     settings: Settings
     case: Any
     config: dict[str, Any]
+    choices: Mapping[str, str]
 
 
 _SIZE = re.compile(
@@ -110,8 +112,8 @@ def _adapter(kind: type) -> TypeAdapter[Any]:
     return TypeAdapter(kind)
 
 
-def validate(config: Mapping[str, Any]) -> Valid:
-    """Checked settings and case from plain containers.
+def validate(config: Mapping[str, Any], choices: Mapping[str, str] | None = None) -> Valid:
+    """Checked settings and case from plain containers; `choices` are passed on.
 
     Raises
     ------
@@ -128,7 +130,7 @@ def validate(config: Mapping[str, Any]) -> Valid:
         case = _adapter(CASES[task]).validate_python(own)
     except ValidationError as error:
         raise InputError(_one_line(error, dict(config))) from None
-    return Valid(settings, case, _settled(config, case))
+    return Valid(settings, case, _settled(config, case), choices or {})
 
 
 def _settled(config: Mapping[str, Any], made: Any) -> dict[str, Any]:

@@ -10,18 +10,28 @@ from matplotlib.tri import Triangulation
 from squat import published
 from squat.figures.style import BLUE, GREEN, PALETTE, RED, depth_axis, single, stretch
 
+_LONGEST = 4.5
+"""Width over height of a panel of Fig. 7 that is drawn with equal scales, about."""
 _TITLES = {"surge": "surge", "heave": "heave", "pitch": "pitch (bow down)"}
 
 
 def fig7(data: xr.Dataset) -> Figure:
     """Pressure p_j of the three rigid modes: solid positive, dashed negative isovalues."""
-    figure = Figure(figsize=(8.4, 6.6), layout="constrained")
-    panels = figure.subplots(3, 1, sharex=True)
     grid = Triangulation(data["node_x"], data["node_z"], data["face_node"])
+    left, right = _around(np.asarray(grid.x), np.asarray(grid.y))
+    depth = float(np.ptp(grid.y))
+    high = 7.6 * _times(right - left, depth) * depth / (right - left)
+    figure = Figure(figsize=(8.4, 3 * (high + 0.75) + 0.3), layout="constrained")
+    panels = figure.subplots(3, 1, sharex=True)
     for axes, mode in zip(panels, _TITLES, strict=True):
         _isovalues(axes, grid, data["pressure"].sel(mode=mode).values, mode)
     panels[-1].set_xlabel("$x$ from the bow [m]")
     return figure
+
+
+def _times(width: float, depth: float) -> int:
+    """How many times to stretch heights [1]: labels need room below the keel."""
+    return stretch(width, depth, _LONGEST)
 
 
 def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str) -> None:
@@ -31,15 +41,19 @@ def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str)
     edges = grid.edges[np.flatnonzero(_outer(grid))]
     x, z = np.asarray(grid.x), np.asarray(grid.y)
     window = _around(x, z)
-    taken = np.column_stack([x, z])[np.unique(edges)]
+    times = _times(window[1] - window[0], float(np.ptp(z)))
+    scale = np.array([1.0, times])
+    taken = scale * np.column_stack([x, z])[np.unique(edges)]
     for signed, style in ((levels, "solid"), (-levels[::-1], "dashed")):
         lines = axes.tricontour(grid, values, signed, colors="k", linestyles=style, linewidths=0.9)
-        places, taken = _free_places(lines.allsegs, taken, window)
+        drawn = [[scale * line for line in level] for level in lines.allsegs]
+        places, taken = _free_places(drawn, taken, window)
         if len(places):
-            axes.clabel(lines, fmt="%g", fontsize=7, manual=places)
+            axes.clabel(lines, fmt="%g", fontsize=7, manual=[(x, z / times) for x, z in places])
     axes.plot(x[edges].T, z[edges].T, color=BLUE, lw=1.2)
     axes.set_xlim(window)
-    depth_axis(axes, stretch(window[1] - window[0], float(np.ptp(z))))
+    depth_axis(axes, times)
+    axes.tick_params(labelbottom=True)
     axes.set_title(f"{_TITLES[mode]}: $p$ per unit acceleration [{unit}]", fontsize=10)
     axes.grid(visible=False)
 
@@ -55,7 +69,10 @@ def _around(x: np.ndarray, z: np.ndarray) -> tuple[float, float]:
 def _free_places(
     lines: list[list[np.ndarray]], taken: np.ndarray, window: tuple[float, float]
 ) -> tuple[list[tuple[float, float]], np.ndarray]:
-    """One place a line, farthest from the boundary and all other labels; none where crowded."""
+    """One place a line, farthest from the boundary and all other labels; none where crowded.
+
+    Heights of `lines` and of what is `taken` (n, 2) are as stretched.
+    """
     places: list[tuple[float, float]] = []
     room = 0.02 * (window[1] - window[0])
     for line in (line for level in lines for line in level):

@@ -1,6 +1,7 @@
 """Chosen runs in one picture: a variable over time, or a headline figure over a key."""
 
 import logging
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
@@ -17,6 +18,7 @@ from squat import catalogue, records
 from squat.errors import InputError
 from squat.figures.files import save
 from squat.figures.labels import named, telling
+from squat.figures.lacking import remedy, variables
 from squat.figures.style import CYCLE, SETTINGS, single
 from squat.quantities import STRICT
 
@@ -27,7 +29,8 @@ Units = Callable[[str, str], str | None]
 _DONE = ("completed", "converged", "turned")
 """How runs end that have a result; kinds that have no status always do."""
 _LINE = 0.17  # in, height of a line of the legend
-_KEYS = ("variable", "over")
+_WIDE = 42  # letters in a line of an axis label
+_FIXED = "\N{NO-BREAK SPACE}"
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
 
@@ -82,7 +85,7 @@ def draw(table: pd.DataFrame, variable: str, over: str | None, units: Units = _n
         axes.set_xlabel(_column(over, kept, units))
         axes.set_ylabel(_column(variable, kept, units))
     else:
-        held = table["file"].map(lambda file: set(wanted) <= _variables(file))
+        held = table["file"].map(lambda file: set(wanted) <= set(variables(file)))
         kept = _kept(table, held, wanted)
         _lines(axes, kept, variable, over)
     if lacking := len(table) - len(kept):
@@ -97,15 +100,8 @@ def _kept(table: pd.DataFrame, held: "pd.Series[bool]", wanted: list[str]) -> pd
     """The rows that hold what is wanted; InputError where none does."""
     if held.any():
         return table[held]
-    own = ", ".join(sorted(_variables(table["file"].iloc[0])))
-    asked = " ".join(f"{key}={name}" for key, name in zip(_KEYS, wanted, strict=False))
-    raise InputError(f"{asked}: no run has that; give what they have, as {own}")
-
-
-def _variables(file: str) -> set[str]:
-    """Names of the variables in a file that the catalogue found whole."""
-    with File(file, "r") as opened:
-        return set(opened.variables)
+    variable, *over = wanted
+    raise InputError(remedy(table, variable, over[0] if over else None))
 
 
 def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> None:
@@ -130,7 +126,9 @@ def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
 
     Runs that failed are open markers: what they hold is the state in which they stopped.
     """
-    keys = [name for name in telling(table) if name not in (variable, over)]
+    keys = [
+        name for name in telling(_without_synonyms(table, over)) if name not in (variable, over)
+    ]
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_prop_cycle(CYCLE)
     for values, group in groups:
@@ -143,6 +141,23 @@ def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
             name = ": ".join(filter(None, [label, str(status)]))
             look: Any = {"ls": "", "marker": "o", "mfc": "none", "color": line.get_color()}
             axes.plot(failed[over], failed[variable], ms=4, label=name, **look)
+
+
+def _without_synonyms(table: pd.DataFrame, over: str) -> pd.DataFrame:
+    """`table` less the choice that `over` is part of, and its other parts, if they tell the same.
+
+    Over `mesh.near`, `mesh=coarse` and `mesh=fine` make one line, not two of a point.
+    """
+    group = over.partition(".")[0]
+    same = [
+        name
+        for name in table.columns
+        if name != over
+        and (name == group or name.startswith(f"{group}."))
+        and catalogue.implies(table, name, over)
+        and catalogue.implies(table, over, name)
+    ]
+    return table.drop(columns=same)
 
 
 def _column(name: str, table: pd.DataFrame, units: Units) -> str:
@@ -168,4 +183,6 @@ def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
 
 
 def _axis(name: str, units: str) -> str:
-    return f"{name} [{'-' if units == '1' else units}]"
+    """Label in lines that fit beside the axes, the units whole at its end."""
+    unit = "-" if units == "1" else units.replace(" ", _FIXED)
+    return textwrap.fill(f"{name} [{unit}]", _WIDE).replace(_FIXED, " ")

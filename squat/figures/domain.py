@@ -1,5 +1,7 @@
 """Figures 3 and 8: the domain with its boundaries, and its dimensions, from the mesh itself."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -95,34 +97,41 @@ def fig8(data: xr.Dataset) -> Figure:
     top, keel = edges(data, "FreeS")[1].max(), ship_z.min()
     surface = ship_x[ship_z == top]
     bow, stern = surface.min(), surface.max()
-    deck, low = top + 0.15 * top, float(data["bed_z"].min()) - 0.3 * top
-    _measure(axes, (bow, deck), (stern, deck), f"$L$ = {stern - bow:.4g} m")
-    _measure(axes, (left, low), (bow, low), f"$D_{{in}}$ = {bow - left:.4g} m")
-    _measure(axes, (stern, low), (right, low), f"$D_{{out}}$ = {right - stern:.4g} m")
+    deck, low = 1.15 * top, float(data["bed_z"].min()) - 0.4 * top
+    _measure(axes, (bow, deck), (stern, deck), f"$L$ = {stern - bow:.4g} m", "above")
+    _measure(axes, (left, low), (bow, low), f"$D_{{in}}$ = {bow - left:.4g} m", "below")
+    _measure(axes, (stern, low), (right, low), f"$D_{{out}}$ = {right - stern:.4g} m", "below")
     middle = float(ship_x[ship_z == keel].mean())
     bed = float(np.interp(middle, data["bed_x"], data["bed_z"]))
-    _measure(axes, (middle, keel), (middle, top), f"$T$ = {top - keel:.4g} m")
-    _measure(axes, (middle, bed), (middle, keel), f"$UKC$ = {keel - bed:.4g} m")
-    at = 0.5 * (left + bow)
-    floor = float(np.interp(at, data["bed_x"], data["bed_z"]))
-    _measure(axes, (at, floor), (at, top), f"$H$ = {top - floor:.4g} m")
+    _measure(axes, (middle, keel), (middle, top), f"$T$ = {top - keel:.4g} m", "on")
+    _measure(axes, (middle, bed), (middle, keel), f"$UKC$ = {keel - bed:.4g} m", "foot")
+    at = left - 0.02 * (right - left)
+    floor = float(np.interp(left, data["bed_x"], data["bed_z"]))
+    _measure(axes, (at, floor), (at, top), f"$H$ = {top - floor:.4g} m", "left")
     axes.axhline(top, color=PURPLE, lw=0.8, ls=":")
+    axes.set_ylim(low - 0.3 * top, None)
     axes.set_title("topology and dimensions at rest", fontsize=10)
     return figure
 
 
-def _measure(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
+_PLACES: dict[str, tuple[float, tuple[float, float], dict[str, Any]]] = {
+    "above": (0.5, (0, 3), {"ha": "center", "va": "bottom"}),
+    "below": (0.5, (0, -4), {"ha": "center", "va": "top"}),
+    "on": (0.5, (0, 0), {"ha": "center", "va": "center", "bbox": {"fc": "w", "lw": 0, "pad": 1}}),
+    "left": (0.5, (-3, 0), {"ha": "right", "va": "center", "rotation": 90}),
+    "foot": (0.0, (0, -4), {"ha": "center", "va": "top"}),
+}
+"""Where on its arrow a label is, its offset from there [pt], and how it is set."""
+
+
+def _measure(
+    axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str, place: str
+) -> None:
+    """An arrow with both its heads, and its label where it crosses neither hull nor bottom."""
     axes.annotate("", end, start, arrowprops={"arrowstyle": "<->", "shrinkA": 0, "shrinkB": 0})
-    middle = 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])
-    level = start[1] == end[1]
-    axes.annotate(
-        text,
-        middle,
-        (0, 3) if level else (5, 0),
-        textcoords="offset points",
-        ha="center" if level else "left",
-        va="bottom" if level else "center",
-    )
+    share, offset, how = _PLACES[place]
+    at = start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
+    axes.annotate(text, at, offset, textcoords="offset points", **how)
 
 
 def _margin(values: xr.DataArray, room: float) -> tuple[float, float]:

@@ -32,13 +32,14 @@ def energy_audit(*runs: xr.Dataset) -> Figure:
     first, labels = runs[0], of_ships(runs)
     time = first["time"].values
     _balance(panels["ship"], time, _terms(first, _SHIP))
-    panels["ship"].set_title("Fig. 13: the ship alone", fontsize=10)
+    named = "" if len(runs) == 1 else f"\n{labels[0]}, first of {len(runs)} runs"
+    panels["ship"].set_title(f"Fig. 13: the ship alone{named}", fontsize=10)
     ends = {"minus work of the ends": -first["end_work"].values}
     _balance(panels["whole"], time, {**_terms(first, _WHOLE), **ends})
-    panels["whole"].set_title("ship, water and the channel's ends", fontsize=10)
+    panels["whole"].set_title(f"ship, water and the channel's ends{named}", fontsize=10)
     _left_over(panels["rest"], runs, labels)
-    shown = labels[0] if len(runs) > 1 else f"{labels[0]}, {_settings(first)}"
-    figure.suptitle(f"Energy since $t$ = 0: {shown}", fontsize=11)
+    shown = f": {labels[0]}, {_settings(first)}" if len(runs) == 1 else f", {len(runs)} runs"
+    figure.suptitle(f"Energy since $t$ = 0{shown}", fontsize=11)
     return figure
 
 

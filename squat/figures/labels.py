@@ -6,24 +6,25 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from squat import catalogue, records
-from squat.catalogue.flat import flatten
+from squat import catalogue
+from squat.catalogue.flat import row_of
 
-_NAMES = (".name", ".shape")
 _LAST = 99  # more dots than any key has
 
 
 def telling(table: pd.DataFrame, *first: str) -> list[str]:
     """The fewest configured keys that tell apart what all of them do.
 
-    A key that names a choice comes before what it stands for, and the choice before its parts;
+    A choice comes before its parts, and the key that names one before what it stands for;
     before all come those that are asked for `first`, and at the end those that some runs lack.
     """
+    choices = catalogue.parts(table)
 
     def place(name: str) -> int:
         if name in first:
             return -1
-        return name.count(".") if _names(name) else _LAST + int(table[name].isna().any())
+        lacking = table[name].isna().any()
+        return name.count(".") if name in choices and not lacking else _LAST + int(lacking)
 
     kept: list[str] = []
     groups = 1
@@ -39,8 +40,7 @@ def telling(table: pd.DataFrame, *first: str) -> list[str]:
 def named(values: Mapping[str, object]) -> str:
     """Short names of keys with their values, missing ones left out."""
     return ", ".join(
-        f"{(key.rpartition('.')[0] if _names(key) else key).rpartition('.')[2]} = "
-        + (f"{value:g}" if isinstance(value, float) else str(value))
+        f"{_short(key)} = " + (f"{value:g}" if isinstance(value, float) else str(value))
         for key, value in values.items()
         if not (isinstance(value, float) and np.isnan(value))
     )
@@ -48,7 +48,7 @@ def named(values: Mapping[str, object]) -> str:
 
 def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
     """A label for each of the coupled `runs`: what differs, the current where nothing does."""
-    table = pd.DataFrame([flatten(records.config_of(run)) for run in runs])
+    table = pd.DataFrame([row_of(run.attrs) for run in runs])
     keys = telling(table, "current") or ["current"]
     labels = []
     for row in table[keys].to_dict("records"):
@@ -58,5 +58,7 @@ def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
     return labels
 
 
-def _names(key: str) -> bool:
-    return key.endswith(_NAMES)
+def _short(key: str) -> str:
+    """The last word of `key`, of one by which a choice names itself that of the choice."""
+    whole = key.rpartition(".")[0] if key.endswith(catalogue.OWN_NAMES) else key
+    return whole.rpartition(".")[2]

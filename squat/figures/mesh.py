@@ -27,7 +27,9 @@ def fig5(data: xr.Dataset) -> Figure:
     above, below = figure.subplots(2, 1)
     coarse(above, data, color="0.6")
     coarse(above, data, "moved_corner")
-    above.set_title(f"(a) coarse mesh at rest (grey) and moved (red): {_place(data)}", fontsize=10)
+    above.set_title(
+        f"(a) coarse mesh at rest (grey) and moved (orange): {_place(data)}", fontsize=10
+    )
     _channel(above)
     zone = _example(data)
     _interpolation(below, data, zone)

@@ -38,9 +38,9 @@ def single(width: float = 6.4, height: float = 4.4) -> tuple[Figure, Axes]:
     return figure, figure.add_subplot()
 
 
-def stretch(width: float, height: float) -> int:
+def stretch(width: float, height: float, longest: float = _LONGEST) -> int:
     """How many times heights are stretched in a picture of a long, shallow channel; 1: not."""
-    return max(1, round(width / height / _LONGEST))
+    return max(1, round(width / height / longest))
 
 
 def depth_axis(axes: Axes, times: int, name: str = "$z$") -> None:

@@ -1,6 +1,5 @@
 """Figures 11 to 13: the coupled runs."""
 
-import json
 from typing import Any
 
 import numpy as np
@@ -8,11 +7,14 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from squat import records
 from squat.errors import InputError
 from squat.figures.labels import of_ships
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
-from squat.stability.keel import keel_pressure
+from squat.quantities import Vector
+from squat.stability.keel import keel_pressure, underside
 
+_SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: corners are singular
 _FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
 
@@ -30,13 +32,20 @@ def fig11(*runs: xr.Dataset) -> Figure:
         if f"pitch {n}" in panels:
             panels[f"pitch {n}"].plot(run["phase"], np.rad2deg(run["pitch"]), color=PURPLE)
             panels[f"pitch {n}"].set_ylabel("pitch, bow down [°]")
+    end = max(map(_planned, runs))
     for name, axes in panels.items():
-        axes.set_xlim(0, 6 * np.pi)
+        axes.set_xlim(0, end)
         if name in plan[-1]:
             axes.set_xlabel("$\\omega t$ [-]")
     handles = panels["heave 0"].get_legend_handles_labels()
     figure.legend(*handles, loc="outside upper center", ncols=3)
     return figure
+
+
+def _planned(run: xr.Dataset) -> float:
+    """Phase that the run was to reach, or that it reached [-]."""
+    periods: float = records.config_of(run)["time"]["periods"]
+    return max(2 * np.pi * periods, float(run["phase"][-1]))
 
 
 def _free(run: xr.Dataset) -> list[str]:
@@ -64,37 +73,43 @@ def _iterations(axes: Axes, run: xr.Dataset) -> None:
 
 
 def fig12(run: xr.Dataset) -> Figure:
-    """Dynamic pressure under the keel at the end of a run, beside the 1D value."""
+    """Dynamic pressure along the hull's underside at the end of a run, beside the 1D value."""
     if "hull_pressure" not in run:
         raise InputError(
             f"data: model={run.attrs['model']} has no pressure; give a run with model=full"
         )
     figure, axes = single(7.0, 4.2)
-    config = json.loads(run.attrs["config"])
-    water, channel, hull = config["water"], config["channel"], config["hull"]
-    keel = run["hull_z"].values <= float(run["hull_z"].min()) + 1e-9
-    end = run.isel(time=-1)
-    gap = channel["depth"] - hull["draft"] + float(end["heave"])
-    static = water["density"] * water["gravity"] * (channel["depth"] - gap)
-    order = np.argsort(run["hull_x"].values[keel])
-    x = run["hull_x"].values[keel][order]
-    axes.plot(
-        x,
-        (end["hull_pressure"].values[keel][order] - static) / 1000,
-        color=BLUE,
-        label="2D (the corners are singular)",
-    )
-    speed = run.attrs["current"]
-    one = float(keel_pressure(water["density"], speed, channel["depth"], gap))
+    config, end = records.config_of(run), run.isel(time=-1)
+    depth, density = config["channel"]["depth"], config["water"]["density"]
+    x, pressure = _along(end, depth, density * config["water"]["gravity"])
+    axes.plot(x, pressure / 1000, color=BLUE, label="2D (the corners are singular)")
+    gap = depth - config["hull"]["draft"] + float(end["heave"])
+    one = float(keel_pressure(density, run.attrs["current"], depth, gap)) / 1000
     ends = run["hull_x"].values.min(), run["hull_x"].values.max()
-    axes.plot(ends, [one / 1000] * 2, color=RED, ls="--", label="1D, uniform under the hull")
-    axes.set_xlabel("$x$ from the bow [m]")
+    axes.plot(ends, [one] * 2, color=RED, ls="--", label="1D, uniform under the hull")
+    axes.set_xlabel("$x$ from the bow, along the hull's underside [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")
-    title = f"$V_\\infty$ = {speed:g} m/s, $\\omega t$ = {float(end['phase']):.2f}"
+    title = f"$V_\\infty$ = {run.attrs['current']:g} m/s, $\\omega t$ = {float(end['phase']):.2f}"
     axes.set_title(f"{title}, $w$ = {float(end['heave']):.3f} m", fontsize=10)
-    axes.set_ylim(3 * one / 1000, 0.2)
+    seen = 0.0, one, *np.quantile(pressure / 1000, _SEEN)
+    room = 0.15 * np.ptp(seen)
+    axes.set_ylim(min(seen) - room, max(seen) + room)
     axes.legend()
     return figure
+
+
+def _along(end: xr.Dataset, depth: float, weight: float) -> tuple[Vector, Vector]:
+    """Where the underside's nodes are at rest, x [m], and the pressure there at `end` [Pa].
+
+    Less the hydrostatic one, `weight` [N/m3] times the depth of each node as heave and pitch have
+    moved it.
+    """
+    x, z = end["hull_x"].values, end["hull_z"].values
+    under = underside(x, z)
+    along, above = x[under] - float(end["center"][0]), z[under] - float(end["center"][1])
+    heave, pitch = float(end["heave"]), float(end["pitch"])
+    height = float(end["center"][1]) + heave + np.sin(pitch) * along + np.cos(pitch) * above
+    return x[under], end["hull_pressure"].values[under] - weight * (depth - height)
 
 
 def fig13(*runs: xr.Dataset) -> Figure:

@@ -1,42 +1,76 @@
 """Heave with pitch: equilibria over the current, and what trim costs."""
 
+from collections.abc import Iterator
+from typing import Any
+
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED
+from squat.quantities import Vector
 
+_ALONE = "limit of heave alone, from the same start,\npitch locked at {start_pitch:.3g} rad"
 _LIMITS = (
     ("safe_speed", GREEN, "-", "safe by energy"),
     ("dynamic_limit", RED, "--", "lost in the run"),
-    ("heave_only_limit", PURPLE, "-.", "limit of heave alone"),
+    ("heave_only_limit", PURPLE, "-.", _ALONE),
+)
+_UNITS = {"heave": 1.0, "pitch": 180 / np.pi}
+_STABILITY = ("stable", "one direction unstable", "two directions unstable")
+_BRANCHES: Any = (
+    # The wide one lies below: where both are one branch, neither hides the other.
+    ("", "from rest", {"color": BLUE, "lw": 1.5, "zorder": 2.2}),
+    ("trimmed_", "through the lowest pass", {"color": ORANGE, "lw": 4, "alpha": 0.5, "zorder": 2}),
 )
 
 
 def trim(data: xr.Dataset) -> Figure:
-    """Heave and pitch of the equilibria against the current, with fold and limits."""
-    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
-    panels = figure.subplots(2, 1, sharex=True)
-    speed, stable = data["current"].values, data["unstable"].values == 0
-    turn = int(np.argmin(stable)) if not stable.all() else len(speed)
-    for axes, name, unit in zip(panels, ("heave", "pitch"), (1.0, 180 / np.pi), strict=True):
-        values = unit * data[name].values
-        axes.plot(speed[:turn], values[:turn], color=BLUE, label="level, stable")
-        axes.plot(speed[max(turn - 1, 0) :], values[max(turn - 1, 0) :], "--", color=BLUE,
-                  label="level, a mode gives way")  # fmt: skip
-        axes.plot(data["trimmed_current"], unit * data[f"trimmed_{name}"], color=ORANGE,
-                  label="trimmed, unstable")  # fmt: skip
+    """Equilibria in heave and pitch over the current: stable or not, their fold, and the limits."""
+    figure = Figure(figsize=(7.2, 7.4), layout="constrained")
+    panels = dict(zip(_UNITS, figure.subplots(2, 1, sharex=True), strict=True))
+    start = {name: float(data[name]) for name in ("start_heave", "start_pitch")}
+    for name, axes in panels.items():
+        for prefix, branch, look in _BRANCHES:
+            _equilibria(axes, data, prefix, name, branch, look)
         for limit, color, style, label in _LIMITS:
             axes.axvline(float(data[limit]), color=color, ls=style, lw=1.2,
-                         label=_with_error(data, limit, label))  # fmt: skip
-    _mark(data, panels)
-    panels[0].set_ylabel("heave $w$ [m]")
-    panels[1].set_ylabel("pitch $\\theta$, bow down [°]")
-    panels[1].set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
-    panels[0].set_xlim(0, 1.05 * float(data["squat_speed"]))
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=2, fontsize=8.5)
+                         label=_with_error(data, limit, label.format_map(start)))  # fmt: skip
+        _mark(axes, data, name)
+    panels["heave"].set_ylabel("heave $w$ [m]")
+    panels["pitch"].set_ylabel("pitch $\\theta$, bow down [°]")
+    panels["pitch"].set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
+    panels["heave"].set_xlim(0, 1.05 * float(data["squat_speed"]))
+    handles, labels = panels["heave"].get_legend_handles_labels()
+    title = "equilibria, and limits of a ship set free at $w$ = {start_heave:.3g} m, "
+    title += "pitch {start_pitch:.3g} rad"
+    figure.legend(handles, labels, loc="outside upper center", ncols=2, fontsize=8.5,
+                  handlelength=3.2, title=title.format_map(start))  # fmt: skip
     return figure
+
+
+def _equilibria(
+    axes: Axes, data: xr.Dataset, prefix: str, name: str, branch: str, look: dict[str, Any]
+) -> None:
+    """One branch, its line broken by how many directions are unstable, as the dataset counts."""
+    speed, values = data[f"{prefix}current"].values, _UNITS[name] * data[f"{prefix}{name}"].values
+    if f"{prefix}unstable" not in data:  # an older dataset
+        axes.plot(speed, values, "-.", label=f"{branch}, stability not recorded", **look)
+        return
+    drawn = set()
+    for count, part in _stretches(data[f"{prefix}unstable"].values):
+        label = None if count in drawn else f"{branch}, {_STABILITY[count]}"
+        axes.plot(speed[part], values[part], ("-", "--", ":")[count], label=label, **look)
+        drawn.add(count)
+
+
+def _stretches(counts: Vector) -> Iterator[tuple[int, slice]]:
+    """Each count with its unbroken stretch of points, and the point before, so that no gap is."""
+    ends = [*(np.flatnonzero(np.diff(counts)) + 1).tolist(), len(counts)]
+    for begin, end in zip([0, *ends], ends, strict=False):
+        if begin < end:
+            yield int(counts[begin]), slice(max(begin - 1, 0), end)
 
 
 def _with_error(data: xr.Dataset, limit: str, label: str) -> str:
@@ -48,16 +82,10 @@ def _with_error(data: xr.Dataset, limit: str, label: str) -> str:
     return f"{label}: {value:.{digits}f} ± {error:.{digits}f} m/s"
 
 
-def _mark(data: xr.Dataset, panels: np.ndarray) -> None:
+def _mark(axes: Axes, data: xr.Dataset, name: str) -> None:
     """The fold, and the lowest pass at the safe speed."""
-    for axes, name, unit in zip(panels, ("heave", "pitch"), (1.0, 180 / np.pi), strict=True):
-        fold = {"heave": "squat_sinkage", "pitch": "squat_trim"}[name]
-        axes.plot(
-            data["squat_speed"],
-            unit * data[fold],
-            "k.",
-            ms=9,
-            label=_with_error(data, "squat_speed", "fold"),
-        )
-        axes.plot(data["safe_speed"], unit * data[f"saddle_{name}"], "o", mfc="none", color=GREEN,
-                  label="lowest pass")  # fmt: skip
+    fold = {"heave": "squat_sinkage", "pitch": "squat_trim"}[name]
+    axes.plot(data["squat_speed"], _UNITS[name] * data[fold], "k.", ms=9, zorder=3,
+              label=_with_error(data, "squat_speed", "fold"))  # fmt: skip
+    axes.plot(data["safe_speed"], _UNITS[name] * data[f"saddle_{name}"], "o", mfc="none", zorder=3,
+              color=GREEN, label="lowest pass")  # fmt: skip

@@ -19,9 +19,10 @@ from squat.figures.files import save
 from squat.figures.fleet import stability_map
 from squat.figures.hull_shapes import hull_shapes
 from squat.figures.iterations import iterations
+from squat.figures.limits import basins, limits, limits_map
 from squat.figures.mesh import fig5, fig6, mesh_quality
 from squat.figures.race import race
-from squat.figures.stability import basins, limits, limits_map, phase_portrait, potential
+from squat.figures.stability import phase_portrait, potential
 from squat.figures.style import SETTINGS
 from squat.figures.transient import fig11, fig12, fig13
 from squat.figures.trim import trim
@@ -83,7 +84,18 @@ class FigureCase:
 
     def __post_init__(self) -> None:
         if self.figure not in FIGURES:
-            raise InputError(f"figure={self.figure}: unknown; give one of {', '.join(FIGURES)}")
+            raise InputError(
+                f"figure={self.figure}: unknown; give one of {', '.join(FIGURES)}; "
+                "squat task=figure figure=list tells what each shows"
+            )
+
+
+def catalogue() -> str:
+    """One line a figure: its name, the task whose dataset it draws, and what it shows."""
+    return "\n".join(
+        f"{name:<15} {kind.name:<13} {(draw.__doc__ or '').partition(chr(10))[0]}"
+        for name, (kind, draw) in FIGURES.items()
+    )
 
 
 def write_figure(case: FigureCase, path: Path) -> None:

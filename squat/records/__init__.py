@@ -12,7 +12,7 @@ from squat.records.files import (
 from squat.records.identity import identity, is_answer, strict_identity
 from squat.records.inputs import read_input
 from squat.records.kinds import KINDS
-from squat.records.provenance import config_of, plain
+from squat.records.provenance import choices_of, config_of, plain
 from squat.records.schema import Kind, Variable, build
 from squat.records.segments import Segments
 from squat.records.writing import BusyError, atomic, claim
@@ -25,6 +25,7 @@ __all__ = [
     "Variable",
     "atomic",
     "build",
+    "choices_of",
     "claim",
     "config_of",
     "groups",

@@ -27,11 +27,12 @@ def stamp(
     config: Mapping[str, Any],
     started: float,
     groups: Mapping[str, xr.Dataset] | None = None,
+    choices: Mapping[str, str] | None = None,
 ) -> xr.Dataset:
     """`dataset` with provenance and the seals that `read` asks for; arguments as for `save`."""
     seals = {name: provenance.seal(group) for name, group in (groups or {}).items()}
     stamped = dataset.assign_attrs(
-        provenance.attributes(config, started),
+        provenance.attributes(config, started, choices or {}),
         content_sha256=provenance.digest(dataset),
         groups_sha256=json.dumps(seals),
     )
@@ -44,6 +45,7 @@ def save(
     config: Mapping[str, Any],
     started: float,
     groups: Mapping[str, xr.Dataset] | None = None,
+    choices: Mapping[str, str] | None = None,
 ) -> None:
     """Write `dataset` to `path` with provenance, or leave nothing behind.
 
@@ -57,8 +59,10 @@ def save(
         `time.perf_counter()` [s] when the run began.
     groups
         Snapshots, each written compressed into the group of its name.
+    choices
+        Names in `conf/` that the configuration was composed of, by their groups.
     """
-    stamped = stamp(dataset, config, started, groups)
+    stamped = stamp(dataset, config, started, groups, choices)
     no_fill = {name: {"_FillValue": None} for name in stamped.variables}
     whole = io.BytesIO()  # HDF5 on a full disk fails in many lines, or takes the process along
     stamped.to_netcdf(whole, engine="h5netcdf", encoding=no_fill)

@@ -50,7 +50,9 @@ def versions() -> dict[str, str]:
     return {"python": sys.version.split()[0], **found}
 
 
-def attributes(config: Mapping[str, Any], started: float) -> dict[str, str | float]:
+def attributes(
+    config: Mapping[str, Any], started: float, choices: Mapping[str, str]
+) -> dict[str, str | float]:
     """CF and provenance attributes; `started` is the run's `time.perf_counter()` [s]."""
     now = datetime.now(UTC).isoformat(timespec="seconds")
     return {
@@ -59,6 +61,7 @@ def attributes(config: Mapping[str, Any], started: float) -> dict[str, str | flo
         "source": f"squat {squat.__version__}",
         "references": PAPER,
         "config": json.dumps(config),
+        "choices": json.dumps(choices),
         "inputs": json.dumps(inputs(config)),
         "versions": json.dumps(versions()),
         "git_revision": revision(),
@@ -86,6 +89,13 @@ def _content(path: Path) -> str:
 def config_of(dataset: xr.Dataset) -> dict[str, Any]:
     """Configuration that `dataset` was made with, as plain containers."""
     found = json.loads(dataset.attrs["config"])
+    assert isinstance(found, dict)
+    return found
+
+
+def choices_of(attributes: Mapping[str, Any]) -> dict[str, str]:
+    """Names in `conf/` that a file's configuration was composed of; none in older files."""
+    found = json.loads(attributes.get("choices", "{}"))
     assert isinstance(found, dict)
     return found
 

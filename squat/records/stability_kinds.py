@@ -24,13 +24,22 @@ EQUILIBRIA = Kind(
         "unstable_stiffness": Variable(
             ("speed",), "N m-2", "restoring slope at `unstable`; NaN: none; -inf: on the bottom"
         ),
-        "period": Variable(("speed",), "s", "linear heave period about `stable`; NaN: none"),
-        "case_speed": Variable(("case_speed",), "m s-1", "speeds of Table 7"),
-        "case_stable": Variable(
-            ("case_speed",), "m", "upper root at the speeds of Table 7; NaN: none"
+        "period": Variable(
+            ("speed",),
+            "s",
+            "period of small heave about `stable` with the inertia (1 + added_mass_ratio) m; "
+            "longer under a rigid lid; NaN: none",
         ),
+        "added_mass_ratio": Variable(
+            (), "1", "m_add/m of heave: zero pressure, Eq. (23), or as given", required=False
+        ),
+        "added_mass_ratio_error": Variable(
+            (), "1", "its numerical error; NaN: given", required=False
+        ),
+        "case_speed": Variable(("case_speed",), "m s-1", "single speeds: Table 7 for its ship"),
+        "case_stable": Variable(("case_speed",), "m", "upper root at the single speeds; NaN: none"),
         "case_unstable": Variable(
-            ("case_speed",), "m", "lower root at the speeds of Table 7; NaN: none"
+            ("case_speed",), "m", "lower root at the single speeds; NaN: none"
         ),
         "squat_speed": Variable((), "m s-1", "speed at which both roots merge"),
         "squat_sinkage": Variable((), "m", "the double root at the squat speed"),

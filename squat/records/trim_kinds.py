@@ -20,6 +20,12 @@ TRIM = Kind(
         ),
         "trimmed_heave": Variable(_TRIMMED, "m", "heave of these"),
         "trimmed_pitch": Variable(_TRIMMED, "rad", "pitch of these, positive bow down"),
+        "trimmed_unstable": Variable(
+            _TRIMMED,
+            "1",
+            "modes that give way there: 0 stable, 1 a saddle; absent in older files",
+            required=False,
+        ),
         "length": Variable((), "m", "length of the water plane"),
         "displacement": Variable((), "m2", "submerged area at rest"),
         "squat_speed_1d": Variable((), "m s-1", "1D squat speed, Eq. (27)"),
@@ -29,7 +35,9 @@ TRIM = Kind(
         "squat_sinkage": Variable((), "m", "heave at the fold"),
         "squat_trim": Variable((), "rad", "pitch at the fold, positive bow down"),
         "heave_only_limit": Variable(
-            (), "m s-1", "dynamic squat speed of the start with its pitch locked"
+            (),
+            "m s-1",
+            "dynamic squat speed of the start, pitch locked at start_pitch (task=limits: at zero)",
         ),
         "heave_only_limit_error": Variable(
             (), "m s-1", "its error, from coarser meshes; NaN: none"

@@ -165,7 +165,8 @@ def reduce(mesh: Mesh, density: float, free_surface: FreeSurface, training: Trai
         )
         for flows, lid in dirichlet_sets(free_surface, len(box.size.modes))
     ]
-    rounds = list(progress(_rounds(form, builders, training), training.positions, "full solves"))
+    label = f"reduced model of a mesh of {len(mesh.points)} nodes: flow solved at position"
+    rounds = list(progress(_rounds(form, builders, training), training.positions, label))
     systems = tuple(builder.system() for builder in builders)
     model = ReducedModel(
         box, density, free_surface, form.short.chosen, systems, _floor(box, builders, rounds)

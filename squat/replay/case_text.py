@@ -62,9 +62,11 @@ def _value(value: object) -> str:
 def _ship(run: Run) -> list[Row]:
     config, data = run.config, run.data
     hull, channel, coupling = config["hull"], config["channel"], config["coupling"]
+    shape = run.chosen("hull", hull["shape"])
+    scheme = run.chosen("coupling", coupling["name"])
     return [
         Row("current V", float(config["current"]), "m/s"),
-        Row(f"length L of the hull ({hull['shape']})", float(hull["length"]), "m"),
+        Row(f"length L of the hull ({shape})", float(hull["length"]), "m"),
         Row("draft T", float(hull["draft"]), "m"),
         Row("depth H", float(channel["depth"]), "m"),
         Row("In to bow", float(channel["upstream"]), "m"),
@@ -77,7 +79,7 @@ def _ship(run: Run) -> list[Row]:
         Row("free surface", config["free_surface"]),
         Row("force of the water", data.attrs["force"]),
         Row("flow model", data.attrs["model"]),
-        Row("coupling", f"{coupling['name']} ({coupling['scheme']})"),
+        Row("coupling", f"{scheme} ({coupling['scheme']})"),
         Row("integrator", coupling["integrator"]),
         *_loop(run, coupling),
     ]

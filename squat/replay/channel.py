@@ -20,6 +20,7 @@ from squat.replay.style import GREY, PALE, SKY
 _FREEBOARD = 0.3  # of the draft: how far the walls are drawn above the water
 _BELOW, _ABOVE, _BESIDE = 0.75, 0.3, 0.03  # margins of the picture, of depth and of length
 _ASPECT = 3.0  # of the pictures' place in the layout, which they share
+_LONGEST = 8.0  # width over height of a channel in equal scales, about, as in the figures
 
 
 class Extent(NamedTuple):
@@ -44,17 +45,27 @@ class Extent(NamedTuple):
         """Distance of In and Out [m]."""
         return self.outlet - self.inlet
 
+    @property
+    def stretch(self) -> int:
+        """How many times heights are stretched in the picture of a long, shallow channel."""
+        return max(1, round(self.length / self.depth / _LONGEST))
+
 
 @panel("channel", Place.PICTURE, ("heave",))
 def channel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
     """One picture a run, all in the same scales."""
     scales = Scales.of(runs)
-    return [_picture(recorder, run, scales, _ASPECT * len(runs)) for run in runs]
+    times = max(Extent.of(run).stretch for run in runs)
+    return [_picture(recorder, run, scales, times, _ASPECT * len(runs)) for run in runs]
 
 
-def _picture(recorder: Recorder, run: Run, scales: Scales | None, aspect: float) -> rrb.View:
+def _picture(
+    recorder: Recorder, run: Run, scales: Scales | None, times: int, aspect: float
+) -> rrb.View:
     extent = Extent.of(run)
     origin = entity(run, "channel")
+    if times > 1:
+        recorder.static(origin, rr.Transform3D.columns(scale=[[1.0, 1.0, times]]))
     _still_lines(recorder, origin, extent)
     _hull(recorder, origin, run, extent)
     if run.fields is not None and scales is not None:
@@ -64,7 +75,12 @@ def _picture(recorder: Recorder, run: Run, scales: Scales | None, aspect: float)
     low[1] -= _BELOW * extent.depth
     high[1] += _ABOVE * extent.depth
     what = "Channel" if run.fields is None else "Channel: pressure less hydrostatic, and velocity"
-    return scene.section_view(f"/{origin}", run.said(what), low, high, aspect)
+    if times > 1:
+        what += f", heights × {times}"
+    stretched = np.array([1, times])
+    return scene.section_view(
+        f"/{origin}", run.said(what), low * stretched, high * stretched, aspect, times > 1
+    )
 
 
 def _still_lines(recorder: Recorder, origin: str, extent: Extent) -> None:

@@ -11,17 +11,37 @@ from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
 from squat.replay.style import run_color, ticked
 
+_LINKED = 30.0
+"""Time [s] before and after the one played that diagrams with linked axes show."""
 
-def time_view(plot: Plot, title: str, paths: list[str], shown: list[Vector]) -> rrb.View:
-    """A diagram over time of all entities below `paths`, which hold the values `shown`."""
+
+def time_view(
+    plot: Plot, title: str, paths: list[str], shown: list[Vector], last: float
+) -> rrb.View:
+    """A diagram over time of all entities below `paths`, which hold the values `shown`.
+
+    Longer runs than linked axes show are there from 0 to `last` [s], each diagram by itself.
+    """
     return rrb.TimeSeriesView(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
-        axis_x=rrb.TimeAxis(link=rrb.components.LinkAxis.LinkToGlobal),
+        axis_x=time_axis(last),
         axis_y=_axis(shown, plot.least_span),
         plot_legend=rrb.PlotLegend(plot.legend),
     )
+
+
+def time_axis(last: float) -> rrb.TimeAxis:
+    """Axis of a run up to `last` [s]: linked to the others', or all of a longer run."""
+    if last <= _LINKED:
+        return rrb.TimeAxis(link=rrb.components.LinkAxis.LinkToGlobal)
+    ends = (rrb.TimeRangeBoundary.absolute(seconds=time) for time in (0.0, last))
+    return rrb.TimeAxis(view_range=rrb.TimeRange(*ends))
+
+
+def _last(runs: tuple[Run, ...]) -> float:
+    return max(float(run.span.time[-1]) for run in runs)
 
 
 def _axis(shown: list[Vector], least: float) -> rrb.ScalarAxis | None:
@@ -55,7 +75,7 @@ def _overlaid(plot: Plot) -> Draw:
                 label = run.said(plot.constants if several else curve.label)
                 recorder.series(path, clock, told, label, color, curve.width)
         paths = [entity(run, "plots", plot.name) for run in runs]
-        return [time_view(plot, plot.title, paths, shown)]
+        return [time_view(plot, plot.title, paths, shown, _last(runs))]
 
     return draw
 
@@ -82,7 +102,8 @@ def _differing(plot: Plot) -> Draw:
                 name = label if len(_varying(plot, run)) == 1 else f"{curve.label}: {label}"
                 recorder.series(path, clock, values, name, run_color(number))
             paths.append(entity(run, "differences", plot.name))
-        return [time_view(plot, f"Δ {plot.title}", paths, shown)] if others else []
+        title = f"Δ {plot.title}"
+        return [time_view(plot, title, paths, shown, _last(runs))] if others else []
 
     return draw
 

@@ -11,16 +11,14 @@ from squat.replay.panels import Place, panel
 from squat.replay.recorder import Recorder
 from squat.replay.runs import Run
 from squat.replay.style import ORANGE, RED, SKY, run_color
-from squat.stability.keel import keel_pressure
+from squat.stability.keel import keel_pressure, underside
 
 _SEEN = (0.05, 0.95)  # shares of the values between which the axes lie: corners are singular
 
 
 def keel(run: Run) -> NDArray[np.int64]:
-    """Numbers of the hull's nodes on its underside, where it is flatter than steep."""
-    dx = np.diff(run.data["hull_x"].values)
-    flat = dx > np.abs(np.diff(run.data["hull_z"].values))
-    return np.asarray(np.flatnonzero(np.append(flat, False) | np.append(False, flat)), np.int64)
+    """Numbers of the hull's nodes on its underside."""
+    return underside(run.data["hull_x"].values, run.data["hull_z"].values)
 
 
 def dynamic_pressure(run: Run) -> Vector:

@@ -64,6 +64,10 @@ class Run:
         """Configuration that made the run."""
         return records.config_of(self.data)
 
+    def chosen(self, group: str, own: str) -> str:
+        """Name in `conf/` of what was chosen of `group`; `own` where an older file tells none."""
+        return records.choices_of(self.data.attrs).get(group, own)
+
     @cached_property
     def oscillator(self) -> Oscillator:
         """Masses and stiffness of a piston run."""

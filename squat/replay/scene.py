@@ -21,13 +21,19 @@ def placed(points: Vector, layer: float = 0.0) -> Vector:
     ).astype(np.float32)
 
 
-def section_view(origin: str, name: str, low: Vector, high: Vector, aspect: float) -> rrb.View:
-    """View of the rectangle from `low` to `high` (2,) in a window of `aspect` width over height."""
+def section_view(
+    path: str, name: str, low: Vector, high: Vector, aspect: float, stretched: bool = False
+) -> rrb.View:
+    """View of the rectangle from `low` to `high` (2,) in a window of `aspect` width over height.
+
+    Where the entity `path` is `stretched` by a transform, the view stands outside of that.
+    """
     x, z = (low + high) / 2
     width, height = high - low
     distance = max(width / aspect, height) / (2 * _HALF_VIEW)
     return rrb.Spatial3DView(
-        origin=origin,
+        origin="/" if stretched else path,
+        contents=f"{path}/**",
         name=name,
         line_grid=rrb.LineGrid3D(visible=False),
         eye_controls=rrb.EyeControls3D(

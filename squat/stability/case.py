@@ -1,7 +1,9 @@
 """What the tasks `stability`, `limits`, `limits_map` and `hull_shapes` are asked."""
 
+import math
 from typing import Annotated
 
+import numpy as np
 from pydantic import Field
 from pydantic.dataclasses import dataclass
 
@@ -18,11 +20,12 @@ from squat.quantities import (
     Position,
     Positive,
     Speed,
+    Vector,
     Velocity,
 )
 from squat.stability.one_mode import Interval
-from squat.stability.run import Speeds
 from squat.stability.sampling import Ship, Surface
+from squat.stability.speeds import Speeds, readable
 from squat.water import Water
 
 
@@ -52,15 +55,27 @@ class Start:
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class Range:
-    """Evenly spaced values, `points` from `least` to `greatest`."""
+    """Evenly spaced values, `points` from `least` to `greatest`; None: the ship's own."""
 
-    least: Position
-    greatest: Position
+    least: Position | None
+    greatest: Position | None
     points: Annotated[int, Field(strict=True, ge=2, le=1000)]
 
     def __post_init__(self) -> None:
-        if self.greatest <= self.least:
-            raise InputError(f"greatest={self.greatest:g}: must exceed least={self.least:g}")
+        if self.least is not None and self.greatest is not None:
+            _check_order(self.least, self.greatest)
+
+    def values(self, least: float, greatest: float) -> Vector:
+        """The values, shape (points,), between the ship's own ends where none are given."""
+        low = least if self.least is None else self.least
+        high = greatest if self.greatest is None else self.greatest
+        _check_order(low, high)
+        return np.linspace(low, high, self.points)
+
+
+def _check_order(least: float, greatest: float) -> None:
+    if greatest <= least:
+        raise InputError(f"greatest={greatest:g}: must exceed least={least:g}")
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -73,12 +88,29 @@ class Portrait:
         Of U(w), and of each half of the separatrix.
     heaves, velocities
         w(0) [m] and w'(0) [m/s] of the map of dynamic limits.
+    heave_shares
+        Ends of `heaves` where they are not given, over those of the interval of heave.
+    velocity_share
+        Greatest of `velocities` where it is not given, over that of a small heave in still water
+        as wide as grounding is deep.
     """
 
     heave_points: Count
     loop_points: Count
     heaves: Range
     velocities: Range
+    heave_shares: tuple[Positive, Positive]
+    velocity_share: Positive
+
+    def starts(self, interval: Interval, period: float) -> tuple[Vector, Vector]:
+        """Heaves [m] and velocities [m/s] of the map, of a ship of that small-heave `period`."""
+        deep, high = (
+            readable(share * end, abs(end))
+            for share, end in zip(self.heave_shares, (interval.low, interval.high), strict=True)
+        )
+        speed = 2 * math.pi / period * abs(interval.low)
+        fastest = readable(self.velocity_share * speed, speed)
+        return self.heaves.values(deep, high), self.velocities.values(0.0, fastest)
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)

@@ -1,10 +1,10 @@
-"""Water under the keel in the one-dimensional model, where it flows uniformly at V H / (H - T + w).
+"""Under the keel: where that is, and the 1D model's flow there, uniform at V H / (H - T + w).
 
 Apart from the equilibria that follow from it: pictures need no root finder.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from squat.quantities import Vector
 
@@ -16,3 +16,13 @@ def keel_pressure(density: float, speed: ArrayLike, depth: float, clearance: Arr
     """
     contraction = (depth / np.asarray(clearance, float)) ** 2
     return np.asarray(density * np.asarray(speed, float) ** 2 / 2 * (1 - contraction))
+
+
+def underside(x: Vector, z: Vector) -> NDArray[np.int64]:
+    """Numbers of the nodes of a hull's outline, in its order, where it faces down below 45 degrees.
+
+    `x`, `z` (nodes,) [m], from bow to stern.
+    """
+    dx = np.diff(x)
+    flat = dx > np.abs(np.diff(z))
+    return np.asarray(np.flatnonzero(np.append(flat, False) | np.append(False, flat)), np.int64)

@@ -9,7 +9,7 @@ from squat.quantities import Vector
 from squat.records import build
 from squat.records.stability_kinds import STABILITY
 from squat.stability.branches import equilibria
-from squat.stability.case import Range, StabilityCase
+from squat.stability.case import StabilityCase
 from squat.stability.dynamic import dynamic_squat_speed
 from squat.stability.equilibria import Fold, OneDimensionalModel
 from squat.stability.fold import squat_speed
@@ -28,8 +28,8 @@ def run(case: StabilityCase) -> xr.Dataset:
     one_fold = one.squat_speed()
     start = case.start
     data = {
-        **_over_speed(case, ship, one),
-        **_portraits(case, ship),
+        **_over_speed(case, ship, one, fold),
+        **_portraits(case, ship, fold),
         **_map(case, ship, fold),
         "start_heave": start.heave,
         "start_velocity": start.velocity,
@@ -57,9 +57,9 @@ def highest_pair(mode: OneMode) -> tuple[float, float]:
 
 
 def _over_speed(
-    case: StabilityCase, ship: HeaveSystem, one: OneDimensionalModel
+    case: StabilityCase, ship: HeaveSystem, one: OneDimensionalModel, fold: Fold
 ) -> dict[str, Vector]:
-    speed = np.linspace(case.speeds.least, case.speeds.greatest, case.speeds.points)
+    speed = case.speeds.curve(fold.speed)
     rows = []
     for V in speed:
         mode = ship.at_current(float(V))
@@ -77,13 +77,14 @@ def _over_speed(
     }
 
 
-def _portraits(case: StabilityCase, ship: HeaveSystem) -> dict[str, Vector]:
-    modes = [ship.at_current(V) for V in case.speeds.cases]
+def _portraits(case: StabilityCase, ship: HeaveSystem, fold: Fold) -> dict[str, Vector]:
+    speeds = case.speeds.single(fold.speed)
+    modes = [ship.at_current(V) for V in speeds.tolist()]
     heave = ship.interval.grid(case.portrait.heave_points)
     loops = [separatrix(mode, case.portrait.loop_points) for mode in modes]
     wells = np.array([well(mode) for mode in modes])
     return {
-        "case_speed": np.array(case.speeds.cases, float),
+        "case_speed": speeds,
         "case_stable": wells[:, 1],
         "case_unstable": wells[:, 0],
         "case_action": np.array([loop.area for loop in loops]),
@@ -96,7 +97,7 @@ def _portraits(case: StabilityCase, ship: HeaveSystem) -> dict[str, Vector]:
 
 
 def _map(case: StabilityCase, ship: HeaveSystem, fold: Fold) -> dict[str, Vector]:
-    heaves, velocities = _values(case.portrait.heaves), _values(case.portrait.velocities)
+    heaves, velocities = case.portrait.starts(ship.interval, linear_period(ship, 0.0))
     inside = (heaves > ship.interval.low) & (heaves < ship.interval.high)
     limits = np.full((len(heaves), len(velocities)), math.nan)
     for i in np.flatnonzero(inside):
@@ -104,7 +105,3 @@ def _map(case: StabilityCase, ship: HeaveSystem, fold: Fold) -> dict[str, Vector
             start = float(heaves[i]), float(velocity)
             limits[i, j] = dynamic_squat_speed(ship.at_current, fold, *start)
     return {"initial_heave": heaves, "initial_velocity": velocities, "limit_map": limits}
-
-
-def _values(given: Range) -> Vector:
-    return np.linspace(given.least, given.greatest, given.points)

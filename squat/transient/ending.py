@@ -1,9 +1,11 @@
 """What ends a run early: the bottom, too much trim, or a turning point."""
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
 import xarray as xr
+from scipy.interpolate import CubicSpline
 
 from squat.dynamics import Motion
 from squat.mesh import Submesh
@@ -92,11 +94,34 @@ def told(dataset: xr.Dataset, case: TransientCase) -> str:
     """How and where the run of `case` in `dataset` ended, for the log."""
     status, failed = str(dataset.attrs["status"]), dataset["failed_residual"].size > 0
     if status == "completed":
-        return status
+        return f"{status}, {_length(dataset)}"
     step, heave = dataset.sizes["time"] - 1 + failed, float(dataset["heave"][-1])
-    where = f"{status} at step {step} of {case.time.steps} (w = {heave:.4g} m)"
+    where = f"{status} at step {step} of {case.time.steps} (w = {heave:.4g} m), {_length(dataset)}"
     scheme = status in ("diverged", "iteration limit") and case.coupling.name.startswith("printed")
     return f"{where}; {_REMEDY}" if scheme else where
+
+
+def _length(dataset: xr.Dataset) -> str:
+    """How long the run was, where it can be told in small oscillations about its equilibrium too.
+
+    The periods of `time.periods` are those of Eqs. (5) and (23), not of this oscillation.
+    """
+    seconds, period = float(dataset["time"][-1]), small_period(dataset)
+    oscillations = f", {seconds / period:.2g} small oscillations" if math.isfinite(period) else ""
+    return f"{seconds:.4g} s{oscillations}"
+
+
+def small_period(dataset: xr.Dataset) -> float:
+    """Period [s] of small heave about the run's stable equilibrium; NaN where that is unknown."""
+    stable = float(dataset.get("stable_equilibrium", math.nan))
+    if math.isnan(stable):
+        return math.nan
+    heave = dataset["curve_heave"].values
+    U, M = (
+        CubicSpline(heave, dataset[f"curve_{name}"].values) for name in ("potential", "inertia")
+    )
+    stiffness = float(U(stable, 2))
+    return 2 * math.pi * math.sqrt(float(M(stable)) / stiffness) if stiffness > 0 else math.nan
 
 
 def _greatest_pitch(case: TransientCase) -> float:

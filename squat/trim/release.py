@@ -77,7 +77,7 @@ def lost_speed(
         return float("nan"), last
     kept = None
     halvings = math.ceil(math.log2(max((high - low) / tolerance, 1.0)))
-    for _ in progress(range(halvings), halvings, "runs"):
+    for _ in progress(range(halvings), halvings, "runs set free, bisection of the current"):
         middle = (low + high) / 2
         track = release(family(middle), region, start, lengths, *grid)
         low, high = (low, middle) if track.lost else (middle, high)

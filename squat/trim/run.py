@@ -26,6 +26,7 @@ from squat.trim.case import TrimCase
 from squat.trim.equilibria import Modes, Point, branch, fold
 from squat.trim.region import Region
 from squat.trim.release import lost_speed
+from squat.trim.summary import summary
 
 _log = logging.getLogger(__name__)
 MODES = ("heave", "pitch")
@@ -59,7 +60,7 @@ def run(case: TrimCase) -> xr.Dataset:
         **limits,
     }
     data |= _errors(case, hull, data)
-    return build(TRIM, data, {"hull": case.hull.shape})
+    return build(TRIM, data, {"hull": case.hull.shape, "summary": summary(case, data)})
 
 
 def _from_rest(case: TrimCase, modes: Modes) -> list[Point]:
@@ -110,7 +111,11 @@ def _within_reach(case: TrimCase, hull: AnyHull) -> TrimCase:
     least = size.clearance * coarse.limits.clearance
     pitch = Region(coarse, size.pitch, least).greatest_pitch()
     if pitch < size.pitch:
-        _log.info("reduced.box.pitch=%g: %.4g is what hull and channel admit", size.pitch, pitch)
+        _log.debug(
+            "reduced.box.pitch=%g: lowered to %.4g rad, all that hull and channel admit",
+            size.pitch,
+            pitch,
+        )
     box = replace(size, pitch=pitch)
     return replace(case, reduced=replace(case.reduced, box=box))
 
@@ -159,6 +164,7 @@ def _trimmed(modes: Modes, case: TrimCase, limits: dict[str, Any]) -> dict[str, 
         "trimmed_current": [p.current for p in points],
         "trimmed_heave": [p.position[0] for p in points],
         "trimmed_pitch": [p.position[1] for p in points],
+        "trimmed_unstable": np.array([p.unstable for p in points], int),
     }
 
 

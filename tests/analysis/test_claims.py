@@ -218,7 +218,9 @@ def test_rows_of_a_table_are_named_by_their_keys(tmp_path):
 
 def test_a_table_is_made_of_its_own_kind_of_dataset_only(case, tmp_path):
     path = tmp_path / "equilibria.nc"
-    records.save(equilibria(case("equilibria")), path, {"task": "equilibria"}, 0.0)
+    records.save(
+        equilibria(case("equilibria", "added_mass_ratio=1")), path, {"task": "equilibria"}, 0.0
+    )
     write_table(TableCase(name="table7", data=str(path)), tmp_path / "table7.csv")
     assert set(pd.read_csv(tmp_path / "table7.csv")["verdict"]) <= {"match", "differs"}
     with pytest.raises(InputError, match="holds 'equilibria' in place of"):

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import squat as api
 from squat.catalogue import (
@@ -22,7 +23,7 @@ from squat.catalogue import (
 from squat.catalogue.difference import difference
 from squat.config.units import unit
 from squat.errors import InputError
-from squat.figures.compare import CompareCase, draw, write_compare
+from squat.figures.compare import CompareCase, _axis, draw, write_compare
 from squat.figures.labels import telling
 
 RATIOS = (0.5, 2.0, 0.9)
@@ -90,11 +91,11 @@ def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searc
             r": piston.mas is no column .*, piston.mass_ratio, ",
         ),
         ("`no such` > 1 and kind == 'x y'", [], r": no such is no column "),
-        ("kind == piston", [], r": piston is no column \(text is quoted, as in 'status == "),
+        ("kind == piston", [], r": text is quoted; give kind == 'piston'$"),
+        ("scheme == standard", [], r": standard is no column \(text is quoted, as in 'status == "),
         ("piston.mas_ratio > 1", [], r"mas_ratio is no column; did you mean piston.mass_ratio\?"),
         ("`no` == 1", [], r": no is no column .*; the file of squat task=catalogue has all"),
-        ("time == 1", [], r": time is no column .*; give one of time.periods, time.\w+$"),
-        ("accelerator == 'none'", [], r"or is no column; did you mean accelerator.name\?"),
+        ("time.dt == 1", [], r": time.dt is no column .*; give one of time.periods, time.\w+$"),
         ("status = 'a=b'", [], r"where=status = 'a=b': = compares nothing; give =="),
         ("kind ==", [], r"where=kind ==: invalid syntax"),
         ("kind.isin(['piston']) and status >", [], r": invalid syntax"),
@@ -104,6 +105,12 @@ def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searc
 def test_what_no_run_has_is_named(runs, where, sort, message):
     with pytest.raises(InputError, match=message):
         select(find([runs]), where, sort)
+
+
+def test_of_files_without_choices_the_key_that_names_one_is_offered(runs):
+    older = find([runs]).drop(columns="accelerator")
+    with pytest.raises(InputError, match=r"or is no column; did you mean accelerator.name\?"):
+        select(older, "accelerator == 'none'")
 
 
 def test_foreign_and_broken_files_are_passed_over(runs, tmp_path, caplog):
@@ -198,6 +205,34 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         assert f"mass_ratio = {ratio:g}" in line.get_label()
     with pytest.raises(InputError, match=r"variable=heave: no run has that; .* as .*position"):
         draw(table, "heave", None)
+
+
+@pytest.mark.parametrize(
+    ("variable", "over", "said"),
+    [
+        ("position", "piston.mass_ratio", "position is no single number .* over time; .*velocity"),
+        ("result.steps", "position", "position is no single number .*result.position_min"),
+        ("position", "heave", "^over=heave: no run has that"),
+        ("time_step", "piston.mass_ratio", "give result.time_step"),
+    ],
+)
+def test_what_cannot_be_compared_is_told_apart_from_what_is_not_there(runs, variable, over, said):
+    table = select(find([runs]), "kind == 'piston'")
+    with pytest.raises(InputError, match=said):
+        draw(table, variable, over)
+
+
+def test_units_stay_whole_at_the_end_of_long_labels(runs):
+    table = select(find([runs]), "kind == 'piston'")
+    long = "velocity of the piston along its long axis, positive up"
+    assert _axis(long, "m s-1").splitlines()[-1].endswith("[m s-1]")
+    figure = draw(table, "position", None)
+    (axes,) = figure.axes
+    axes.set_ylabel(_axis(long + ", seen by one who stands still on the bank", "kg m-1 s-2"))
+    FigureCanvasAgg(figure).draw()
+    box = axes.yaxis.label.get_window_extent()
+    assert figure.bbox.contains(box.x0, box.y0)
+    assert figure.bbox.contains(box.x1, box.y1)
 
 
 def test_runs_that_failed_are_open_markers_beside_the_line_of_the_others(runs):

@@ -1,5 +1,10 @@
 """The real command: exit codes, one line of error, multiruns, help."""
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import pytest
 
 from squat.catalogue import find
@@ -103,6 +108,20 @@ def test_help_config_and_completion_work(squat):
     completion = squat("-sc", "install=bash")
     assert "hydra_bash_completion" in completion.stdout
     assert squat("--version").stdout.startswith("squat ")
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["task=catalogue", "runs=."]])
+def test_a_pipe_that_is_closed_ends_the_command_without_a_word(squat, tmp_path, arguments):
+    assert squat("task=piston", "time.periods=0.1").returncode == 0
+    read_end, write_end = os.pipe()
+    os.close(read_end)
+    command = [str(Path(sys.executable).parent / "squat"), *arguments]
+    with os.fdopen(write_end, "w") as closed:
+        done = subprocess.run(
+            command, cwd=tmp_path, stdout=closed, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert (done.returncode, done.stderr) == (141, "")
+    assert (tmp_path / "catalogue.parquet").is_file() == ("task=catalogue" in arguments)
 
 
 def test_two_level_names_and_equals_signs_in_files_work_when_quoted(squat, tmp_path):

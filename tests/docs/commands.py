@@ -11,6 +11,7 @@ CHEAPER = {
     "mesh": "mesh=coarse",
     "added_mass": "mesh=coarse accuracy.near=0.4",
     "reduced": "mesh=coarse",
+    "equilibria": "accuracy=coarse",
     "stability": "mesh=coarse portrait=small",
     "stability_map": "mesh=coarse cases/map@_global_=small",
     "hull_shapes": "cases/hull_shapes@_global_=small",

@@ -8,18 +8,24 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat import records, transient
-from squat.config import compose
+from squat.cli.main import main
+from squat.cli.tasks import TASKS
+from squat.config import compose, validate
 from squat.errors import InputError
 from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
 from squat.figures.energy import energy_audit
+from squat.figures.equilibria import fig10
 from squat.figures.labels import of_ships
+from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
-from squat.figures.stability import phase_portrait
+from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
+from squat.figures.write import FIGURES, FigureCase
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 from squat.stability.portrait import run as stability
+from squat.stability.run import run as equilibria
 
 DEEP = "channel.bottom=[[-10,0],[10,4],[30,4],[60,-15]]"
 
@@ -40,6 +46,28 @@ def test_labels_of_isovalues_stay_apart_and_off_the_hull(case, hull):
 
 
 BARGE = ("hull.length=110.0", "hull.draft=3.2", "channel.depth=4.5", "channel.upstream=110.0")
+
+
+def test_isovalues_under_a_long_hull_have_their_numbers(case):
+    data = added_mass(case("added_mass", "mesh=coarse", "accuracy.near=0.4", *BARGE))
+    for axes in fig7(data).axes:
+        assert sum(0 < text.get_position()[0] < 110 for text in axes.texts) > 4
+        assert axes.xaxis.get_tick_params()["labelbottom"]
+
+
+@pytest.mark.parametrize("more", [("hull=curve",), BARGE])
+def test_no_label_of_a_dimension_crosses_hull_or_bottom(case, more):
+    figure = fig8(mesh(case("mesh", "mesh=coarse", *more)))
+    FigureCanvasAgg(figure).draw()
+    (axes,) = figure.axes
+    labels = [text for text in axes.texts if "=" in text.get_text()]
+    assert len(labels) == 6
+    for text in labels:
+        box = text.get_window_extent().padded(-1)
+        for line in axes.lines[:-1]:
+            points = axes.transData.transform(line.get_xydata())
+            steps = np.linspace(points[:-1], points[1:], 50).reshape(-1, 2)
+            assert not any(box.contains(x, y) for x, y in steps)
 
 
 @pytest.mark.parametrize("draw", [fig3, fig6, fig8])
@@ -92,7 +120,10 @@ def test_energy_audit_names_runs_by_what_differs(sailed):
     figure = energy_audit(deep, shallow)
     names = [text.get_text() for text in figure.axes[-1].get_legend().get_texts()]
     assert names == ["draft = 10", "draft = 8"]
-    assert figure.get_suptitle() == "Energy since $t$ = 0: draft = 10"
+    assert figure.get_suptitle() == "Energy since $t$ = 0, 2 runs"
+    assert [axes.get_title().partition("\n")[2] for axes in figure.axes[:2]] == [
+        "draft = 10, first of 2 runs"
+    ] * 2
     assert "printed" in energy_audit(deep).get_suptitle()
 
 
@@ -104,16 +135,15 @@ def test_pressure_that_a_run_does_not_hold_is_not_drawn(case):
 
 
 @pytest.fixture(scope="module")
-def sailed(case, tmp_path_factory):
+def sailed(tmp_path_factory):
     """The record of a short run."""
     folder = tmp_path_factory.mktemp("sailed")
 
     def run(*more):
         keys = ["mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", *more]
         path = folder / f"{len(list(folder.iterdir()))}.nc"
-        records.save(
-            transient.run(case("transient", *keys)).dataset, path, compose("transient", *keys), 0.0
-        )
+        valid = validate(compose("transient", *keys))
+        records.save(transient.run(valid.case).dataset, path, valid.config, 0.0)
         return records.read(path)
 
     return run
@@ -155,6 +185,40 @@ def test_the_1d_pressure_ends_at_bow_and_stern(sailed):
     assert np.allclose(axes.lines[1].get_xdata(), [0, 40])
 
 
+def test_a_run_of_many_periods_is_drawn_whole(sailed):
+    short, long = sailed("current=1"), sailed("current=1", "time.periods=0.1")
+    far = long.assign_coords(phase=long["phase"] * 100)
+    figure = fig11(short, far)
+    assert {axes.get_xlim() for axes in figure.axes} == {(0.0, float(far["phase"][-1]))}
+    ends = {round(axes.get_xlim()[1], 9) for axes in fig11(sailed("current=1")).axes}
+    assert ends == {round(float(short["phase"][-1]), 9)}
+
+
+def test_a_raised_stern_is_part_of_the_underside(sailed):
+    """Drawn from bow to stern; and what pitch moves has its own depth of still water."""
+    points = "hull.points=[[0,0],[0,-10],[30,-10],[40,-4],[40,0]]"
+    run = sailed("current=1", "hull=polygon", points)
+    x = fig12(run).axes[0].lines[0].get_xdata()
+    assert (x.min(), x.max()) == (0.0, 40.0)
+    level = run.assign(
+        hull_pressure=1000 * 9.81 * (20 - run["hull_z"]).expand_dims(time=run["time"]),
+        heave=run["heave"] * 0,
+    )
+    assert np.abs(fig12(level).axes[0].lines[0].get_ydata()).max() < 1e-9
+    turned = level.assign(pitch=run["pitch"] * 0 + 0.01)
+    stern = fig12(turned).axes[0].lines[0].get_ydata()[-1] * 1000
+    assert stern == pytest.approx(1000 * 9.81 * 0.01 * (40 - float(run["center"][0])), rel=0.02)
+
+
+@pytest.mark.parametrize(("draft", "count"), [(10.0, 1), (9.0, 0)])
+def test_table_7_is_drawn_beside_its_own_ship_alone(case, draft, count):
+    keys = "equilibria", f"hull.draft={draft}"
+    data = equilibria(case(*keys)).assign_attrs(config=json.dumps(compose(*keys)))
+    figure = fig10(data)
+    names = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert names.count("Table 7, printed") == count
+
+
 def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(case):
     """A slow ship's energy also admits places beyond the barrier, which it cannot reach."""
     keys = "stability", "mesh=coarse", "portrait=small"
@@ -167,3 +231,54 @@ def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(c
     curve = phase_portrait(data).axes[0].collections[-1]
     found = np.vstack([path.vertices for path in curve.get_paths()])
     assert found[:, 0].min() > barrier
+
+
+@pytest.fixture(scope="module")
+def slow(case):
+    """The energies of a ship in a shallow channel, at two speeds that it does not survive."""
+    keys = "stability", "mesh=coarse", "portrait=small", "channel.depth=11"
+    valid = validate(compose(*keys, "speeds.cases=[2,2.5]"))
+    return stability(valid.case).assign_attrs(config=json.dumps(valid.config))
+
+
+def test_a_legend_of_portraits_lists_what_is_drawn(slow):
+    names = [text.get_text() for text in phase_portrait(slow).legends[0].get_texts()]
+    assert names == ["energy of the start", "start"]
+    for axes in phase_portrait(slow).axes:
+        curve = np.vstack([path.vertices for path in axes.collections[-1].get_paths()])
+        assert axes.get_xlim()[1] <= float(slow["heave"][-1])
+        assert curve[:, 0].min() < -0.9
+        assert curve[:, 1].max() < axes.get_ylim()[1] < 1.5 * curve[:, 1].max()
+    named = [text.get_text() for text in potential(slow).legends[0].get_texts()]
+    assert "stable" not in named
+
+
+def test_axes_of_limits_and_basins_end_where_their_data_do(slow):
+    (axes,) = limits(slow).axes
+    fastest = float(max(slow["squat_speed_1d"], slow["squat_speed_2d"]))
+    assert fastest < axes.get_xlim()[1] < 1.2 * fastest
+    ends = {line.get_label(): line.get_xydata()[-1] for line in axes.lines}
+    for name in ("1D", "2D"):
+        fold = [float(slow[f"squat_{what}_{name.lower()}"]) for what in ("speed", "sinkage")]
+        assert np.array_equal(ends[f"{name} stable"], fold)
+        assert np.array_equal(ends[f"{name} unstable"], fold)
+    reached, velocity = slow["initial_heave"].values[3:6], slow["initial_velocity"].values
+    map_ = np.full((slow.sizes["initial_heave"], slow.sizes["initial_velocity"]), np.nan)
+    map_[3:6] = [0.5, 0.4, *[0.0] * (len(velocity) - 2)]
+    shown = slow.assign(limit_map=(("initial_heave", "initial_velocity"), map_))
+    axes = basins(shown).axes[0]
+    assert axes.get_xlim() == (reached[0], reached[-1])
+    assert axes.get_ylim() == (-velocity[2], velocity[2])
+    with pytest.raises(InputError, match=r"portrait\.heaves"):
+        basins(shown.assign(limit_map=shown["limit_map"] * np.nan))
+
+
+def test_the_list_of_figures_says_what_each_shows_and_of_which_task(monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["squat", "task=figure", "figure=list"])
+    main()
+    rows = [line.split(maxsplit=2) for line in capsys.readouterr().out.splitlines()]
+    assert {name: task for name, task, _ in rows} == {n: k.name for n, (k, _) in FIGURES.items()}
+    assert {task for _, task, _ in rows} <= set(TASKS)
+    assert all(len(shows.split()) > 3 for *_, shows in rows)
+    with pytest.raises(ValueError, match="figure=list tells what each shows"):
+        FigureCase(figure="fig99", data="x.nc")

@@ -39,7 +39,7 @@ def prepare(folder):
     """Fill `folder`; the names of all files in it."""
     good = _save(folder, "good.nc", "piston", "time.periods=0.1")
     _save(folder, "other.nc", "piston", "time.periods=0.1", "piston.mass_ratio=2")
-    _save(folder, "roots.nc", "equilibria", "speeds.points=9")
+    _save(folder, "roots.nc", "equilibria", "speeds.points=9", "added_mass_ratio=1")
     (folder / "sweep/sub.d").mkdir(parents=True)
     (folder / "sweep/good.nc").write_bytes(good.read_bytes())
     whole = good.read_bytes()

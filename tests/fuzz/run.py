@@ -81,7 +81,8 @@ def _own_files():
 def light(valid, path):
     """Run a good input where that is quick; else make its geometry."""
     case, task = valid.case, valid.settings.task
-    if task in _QUICK and getattr(getattr(case, "speeds", None), "points", 0) < 5000:
+    given = getattr(case, "added_mass_ratio", 0.0) is not None
+    if task in _QUICK and given and getattr(getattr(case, "speeds", None), "points", 0) < 5000:
         run_task(valid, path)
         return
     with records.claim(path):

@@ -94,7 +94,7 @@ def test_a_model_of_a_later_squat_is_refused(model, refused, tmp_path, task):
 def test_what_is_no_model_is_refused(refused, tmp_path, task):
     xr.Dataset({"a": ("x", np.arange(3.0))}).to_netcdf(tmp_path / "foreign.nc", engine="h5netcdf")
     refused(task, "foreign.nc")
-    config = compose("equilibria", "speeds.points=9")
+    config = compose("equilibria", "speeds.points=9", "added_mass_ratio=1")
     records.save(compute(validate(config)), tmp_path / "roots.nc", config, 0.0)
     refused(task, "roots.nc", "'equilibria' in place of 'reduced'")
     (tmp_path / "text.nc").write_text("no dataset")

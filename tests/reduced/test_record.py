@@ -72,6 +72,6 @@ def test_file_without_fields_says_how_to_make_them(made, tmp_path):
 def test_another_kind_is_refused(case, tmp_path):
     from squat.stability.run import run
 
-    records.save(run(case("equilibria")), tmp_path / "e.nc", {}, 0.0)
+    records.save(run(case("equilibria", "added_mass_ratio=1")), tmp_path / "e.nc", {}, 0.0)
     with pytest.raises(InputError, match="squat task=reduced"):
         load(tmp_path / "e.nc")

@@ -2,8 +2,11 @@
 
 import numpy as np
 import pytest
+import rerun as rr
 
-from squat.replay.channel import Extent
+from squat.replay.channel import Extent, channel
+from squat.replay.overlay import time_axis
+from squat.replay.recorder import Recorder
 from squat.replay.runs import load
 from squat.replay.wires import affine
 from tests.replay.reading import NANOSECOND, SINGLE, one_each
@@ -86,3 +89,32 @@ def test_hull_moves_by_heave_and_water_and_bottom_stand(shown, ship):
     assert np.all(water[..., 2] == extent.depth)
     assert list(water[:, :, 0].ravel()) == [extent.inlet, 0.0, extent.hull[-1, 0], extent.outlet]
     assert found["channel/bottom"].time == []
+
+
+SHALLOW = (
+    "mesh.near=3", "mesh.far=6", "accuracy=coarse", "force=variational", "model=curves",
+    "coupling=energy_momentum", "current=0.5", "time.periods=0.05", "hull.length=140",
+    "hull.draft=8", "channel.depth=11", "channel.upstream=140", "channel.downstream=210",
+)  # fmt: skip
+
+
+def test_a_long_shallow_channel_is_drawn_higher_than_it_is_and_the_view_says_so(
+    record, entities, written, shown
+):
+    path = written("shallow", "transient", *SHALLOW)
+    (run,) = load((str(path),))
+    times = Extent.of(run).stretch
+    assert 4 < 490 / (times * 11) < 12
+    found = entities(record(path))
+    assert found["channel"].rows["scale"] == [[[1, 1, times]]]
+    levels = np.array(found["channel/water_line"].rows["strips"][0])[..., 2]
+    assert np.all(levels == 11)  # data stay metres, the picture stretches them
+    (view,) = channel(Recorder(rr.RecordingStream("test")), (run,))
+    assert str(view.name).endswith(f"heights × {times}")
+    assert "channel" not in shown[0]  # of the paper's ship: equal scales
+
+
+def test_a_run_longer_than_linked_axes_show_is_shown_whole():
+    assert time_axis(20.0).view_range is None
+    (whole,) = time_axis(129.0).view_range.as_arrow_array().to_pylist()
+    assert [whole[end] for end in ("start", "end")] == [0, 129 * 10**9]

@@ -1,6 +1,7 @@
 """Roots of Eq. (27), their stability, and the squat speed."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -9,8 +10,10 @@ from hypothesis import strategies as st
 
 from squat.channel import Channel, Rectangle
 from squat.errors import InputError
+from squat.fluid.run import run as added_mass
 from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.run import run
+from squat.stability.speeds import readable
 from squat.water import Water
 
 WATER = Water(density=1000.0, gravity=9.81)
@@ -127,7 +130,7 @@ def test_draft_beyond_the_depth_is_refused_by_name():
 
 
 def test_dataset_holds_curve_cases_and_fold(case):
-    data = run(case("equilibria"))
+    data = run(case("equilibria", "accuracy=coarse"))
     assert float(data["speed"].min()) == 0
     assert float(data["speed"].max()) == 4
     below = data.sel(speed=data["speed"] < data["squat_speed"])
@@ -142,3 +145,43 @@ def test_period_in_still_water_is_that_of_ship_and_added_mass_on_its_spring(case
     assert float(data["period"][0]) == pytest.approx(
         2 * math.pi * math.sqrt((1 + ratio) * hull.draft / 9.81), rel=1e-12
     )
+
+
+LONG = "hull.length=140", "hull.draft=8", "channel.depth=11", "accuracy=coarse"
+
+
+def test_the_period_is_that_of_the_added_mass_of_the_very_hull(case):
+    data = run(case("equilibria", *LONG))
+    matrix = added_mass(case("added_mass", *LONG, "mesh=coarse"))
+    ratio = float(matrix["mass_ratio"])
+    assert ratio > 20
+    assert float(data["added_mass_ratio"]) == pytest.approx(ratio, rel=1e-12)
+    assert float(data["period"][0]) == pytest.approx(
+        2 * math.pi * math.sqrt((1 + ratio) * 8 / 9.81), rel=1e-9
+    )
+
+
+def test_the_answer_in_words_tells_squat_speed_and_what_it_leaves_out(case):
+    data = run(case("equilibria", "added_mass_ratio=2"))
+    last = data.attrs["summary"].splitlines()[-1]
+    speed, sinkage = re.match(r"squat speed (\S+) m/s .* at w = (\S+) m by", last).groups()
+    assert float(speed) == pytest.approx(float(data["squat_speed"]), rel=1e-5)
+    assert float(sinkage) == pytest.approx(float(data["squat_sinkage"]), rel=1e-3)
+    assert "task=limits" in last
+    assert "(as given)" in data.attrs["summary"]
+
+
+def test_speeds_follow_the_ship_and_are_the_printed_ones_for_the_paper_s(case):
+    own = run(case("equilibria", "added_mass_ratio=1"))
+    printed = run(case("equilibria", "added_mass_ratio=1", "cases/squat@speeds=paper"))
+    assert own["case_speed"].values.tolist() == printed["case_speed"].values.tolist()
+    assert own["speed"].values.tolist() == printed["speed"].values.tolist()
+    slow = run(case("equilibria", *LONG, "added_mass_ratio=1"))
+    assert float(slow["case_speed"].max()) < float(slow["squat_speed"]) < 1
+
+
+@given(st.floats(1e-6, 1e6), st.floats(-2, 2))
+def test_numbers_are_rounded_to_a_hundredth_of_their_scale_or_better(scale, share):
+    rounded = readable(share * scale, scale)
+    assert abs(rounded - share * scale) <= 0.01 * scale * (1 + 1e-9)
+    assert len(f"{abs(rounded) / 10 ** math.floor(math.log10(scale)):.10f}".rstrip("0")) <= 5

@@ -9,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from squat.channel import Polygon
 from squat.errors import InputError
 from squat.figures.hull_shapes import hull_shapes as draw
+from squat.fluid.run import run as added_mass
 from squat.stability import hull_shapes, limits
 from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.local_depth import LocalDepthModel
@@ -52,6 +53,17 @@ def test_the_box_is_the_ship_of_the_task_limits(case, few):
     still = limits.run(case("limits", *QUICK, "accuracy=study", "current=0.0"))
     assert float(box["period"]) == pytest.approx(float(still["linear_period"]), rel=1e-9)
     assert float(box["block_coefficient"]) == pytest.approx(1, rel=1e-12)
+
+
+def test_added_mass_is_that_of_heave_on_heave(case, few):
+    """Eq. (23) by the task of its own; heave alone of several modes, positive for every hull."""
+    box = few.sel(hull="rectangle")
+    data = added_mass(case("added_mass", *QUICK, "mesh=coarse"))
+    error = float(
+        box["added_mass_ratio_error"] + data["added_mass_error"].max() / data["ship_mass"]
+    )
+    assert float(box["added_mass_ratio"]) == pytest.approx(float(data["mass_ratio"]), abs=error)
+    assert bool((few["added_mass_ratio"] > 1).all())
 
 
 def test_a_hull_goes_backwards_as_fast_as_forwards(few):

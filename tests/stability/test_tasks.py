@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -50,6 +51,46 @@ def test_portrait_is_consistent_with_itself(small):
     assert (small["period"] > small["linear_period"])[(speed > 1) & below].all()
     assert limit < fold < float(small["squat_speed_1d"])
     assert float(small.attrs["squat_speed_bracket"]) <= 1e-8
+
+
+LONG = (
+    "mesh.near=2", "mesh.far=4", "hull.length=140", "hull.draft=8", "channel.depth=11",
+    "channel.upstream=140", "channel.downstream=210", "portrait=small", "speeds.points=31",
+)  # fmt: skip
+
+
+def test_a_slow_ship_is_asked_about_speeds_heaves_and_velocities_of_its_own(case):
+    data = portrait.run(case("stability", *LONG))
+    fold = float(data["squat_speed_2d"])
+    assert 0.3 * fold < data["case_speed"].min() < data["case_speed"].max() < fold < 1
+    assert np.isfinite(data["case_stable"]).all()
+    assert fold < float(data["speed"].max()) < 1.3 * fold
+    assert np.isfinite(data["limit_map"]).all()
+    assert (data["limit_map"][:, -1] < 0.8 * fold).all()
+
+
+def test_the_paper_s_ship_is_asked_about_the_printed_speeds(case):
+    own = portrait.run(case("stability", "mesh=coarse", "portrait=own", "speeds.points=2"))
+    given = case("stability", "cases/stability@speeds=paper", "portrait=paper")
+    assert own["case_speed"].values.tolist() == list(given.speeds.cases)
+    assert float(own["speed"].max()) == given.speeds.greatest
+    for name, ends in (
+        ("initial_heave", given.portrait.heaves),
+        ("initial_velocity", given.portrait.velocities),
+    ):
+        assert own[name].values[[0, -1]].tolist() == [ends.least, ends.greatest]
+
+
+@pytest.mark.parametrize(
+    ("key", "said"),
+    [
+        ("speeds.least=9", "speeds.least=9: must be less than speeds.greatest=3"),
+        ("portrait.heaves.least=3", "greatest=2: must exceed least=3"),
+    ],
+)
+def test_a_start_beyond_the_ship_s_own_end_is_refused(case, key, said):
+    with pytest.raises(InputError, match=re.escape(said)):
+        portrait.run(case("stability", *SMALL[::2], key))
 
 
 def test_map_of_limits_is_bounded_by_the_separatrices(small):

@@ -1,10 +1,15 @@
 """How a run ended: what the ship did, and what the scheme did, are told apart."""
 
+import re
+
 import numpy as np
 import pytest
 
 from squat.dynamics import Motion
-from squat.transient.ending import Ending, told
+from squat.stability.orbits import linear_period
+from squat.stability.portrait import highest_pair
+from squat.stability.sampling import Ship
+from squat.transient.ending import Ending, small_period, told
 from squat.transient.parts import prepare
 from squat.transient.run import run
 
@@ -29,14 +34,27 @@ def test_a_scheme_that_fails_in_the_first_step_has_diverged(ship):
     data = run(case).dataset
     assert data.attrs["status"] == "diverged"
     assert told(data, case) == (
-        f"diverged at step 1 of {case.time.steps} (w = -0.1 m); "
+        f"diverged at step 1 of {case.time.steps} (w = -0.1 m), 0 s; "
         "coupling=consistent_quasi_newton takes large added mass"
     )
 
 
-def test_a_run_to_its_end_says_no_more_than_that(ship):
-    case = ship("coupling=consistent", "time.periods=0.02", *TINY)
-    assert told(run(case).dataset, case) == "completed"
+def test_a_run_to_its_end_says_how_long_it_was_in_oscillations_of_its_own(ship):
+    case = ship("coupling=consistent", "time.periods=0.2", "current=2", *TINY)
+    data = run(case).dataset
+    found = re.fullmatch(r"completed, (\S+) s, (\S+) small oscillations", told(data, case))
+    seconds, oscillations = map(float, found.groups())
+    assert seconds == pytest.approx(float(data["time"][-1]), rel=1e-3)
+    mode = Ship(case.hull, case.channel, case.water, "rigid_lid", 0.02).on(case.mesh).at_current(2)
+    period = linear_period(mode, highest_pair(mode)[0])
+    assert small_period(data) == pytest.approx(period, rel=1e-3)
+    assert oscillations == pytest.approx(seconds / period, rel=0.05)
+
+
+def test_a_run_of_several_modes_is_told_in_seconds_alone(ship):
+    case = ship("modes=[heave,pitch]", "coupling=consistent", "time.periods=0.02", *TINY)
+    data = run(case).dataset
+    assert told(data, case) == f"completed, {float(data['time'][-1]):.4g} s"
 
 
 @pytest.mark.parametrize(

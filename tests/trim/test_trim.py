@@ -1,5 +1,6 @@
 """Limits in heave and pitch: what must be so on any mesh."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -19,6 +20,7 @@ from squat.trim.barrier import Barrier, _well
 from squat.trim.case import Companions
 from squat.trim.equilibria import Modes, branch, fold
 from squat.trim.release import lost_speed, release
+from squat.trim.summary import summary
 
 SMALL = (
     "mesh.near=2", "mesh.far=6", "reduced.positions=8", "reduced.tolerance=1e-2",
@@ -178,6 +180,32 @@ def test_errors_cover_the_limits_of_extrapolated_p2_meshes(recorded):
     assert 0 < float(recorded["safe_speed_error"]) < 0.02 * float(recorded["safe_speed"])
 
 
+@pytest.mark.parametrize(
+    ("variable", "name"),
+    [
+        ("squat_speed", "fold"),
+        ("safe_speed", "safe speed"),
+        ("dynamic_limit", "lost in the run"),
+        ("heave_only_limit", "heave alone"),
+    ],
+)
+def test_each_limit_is_told_with_its_error(recorded, variable, name):
+    found = re.search(rf"  {name} +(\S+) \+- (\S+) m/s: ", recorded.attrs["summary"])
+    error = float(recorded[f"{variable}_error"])
+    assert float(found[1]) == pytest.approx(float(recorded[variable]), abs=error)
+    assert float(found[2]) == pytest.approx(error, rel=0.1)
+
+
+def test_a_start_with_trim_is_told_apart_from_the_level_one_of_task_limits(recorded):
+    case = validate(compose("trim")).case
+    said = summary(case, recorded)
+    assert "w(0) = -0.1 m with a pitch of 0.001 rad, +0.02 m down at the bow" in said
+    assert "pitch locked at 0.001 rad" in said
+    assert "task=limits locks it at zero" in said
+    level = validate(compose("trim", "start.pitch=0")).case
+    assert "locks it at zero" not in summary(level, recorded)
+
+
 def test_the_picture_tells_the_errors(recorded):
     legend = draw(recorded).legends[0]
     assert sum("±" in text.get_text() for text in legend.get_texts()) == 4
@@ -223,9 +251,10 @@ def test_a_long_hull_over_a_small_gap_is_asked_for_no_more_pitch_than_it_can_tak
     """Half its length times the box's pitch is three times the gap."""
     keys = "hull.length=120", "hull.draft=8", "channel.depth=12", "cases/trim@_global_=small"
     case = validate(compose("trim", *keys)).case
-    with caplog.at_level("INFO"):
+    with caplog.at_level("DEBUG"):
         data = trim.run(case)
-    assert "reduced.box.pitch=0.2" in caplog.text
+    (line,) = [one for one in caplog.records if "reduced.box.pitch=0.2" in one.getMessage()]
+    assert line.levelname == "DEBUG"  # the key may not be the user's
     bounded = trim._within_reach(case, case.hull).reduced.box.pitch
     ends = (12 - 8 + 8) / case.hull.length  # both ends at once: at the bottom, out of the water
     assert 0.5 * ends < bounded < ends
@@ -244,3 +273,34 @@ def test_the_well_is_where_descent_from_the_start_ends():
     U = np.array([[0.0, 1.0, 2.0, 3.0], [5.0, 4.0, 3.0, 2.5], [6.0, 7.0, 8.0, 2.0]])
     assert _well(U, (2, 0)) == (0, 0)
     assert _well(U, (2, 3)) == (2, 3)
+
+
+def test_the_picture_calls_stable_what_the_dataset_counts_as_such(recorded):
+    """Of both branches; a hull that trims from rest has stable equilibria on either."""
+    turned = recorded.assign(
+        unstable=("point", np.arange(recorded.sizes["point"]) // 4 % 3),
+        trimmed_unstable=("trimmed_point", np.arange(recorded.sizes["trimmed_point"]) % 2),
+    )
+    for axes, name in zip(draw(turned).axes, ("heave", "pitch"), strict=True):
+        unit = {"heave": 1.0, "pitch": 180 / np.pi}[name]
+        solid = [line for line in axes.lines if line.get_linestyle() == "-" and len(_x(line)) > 2]
+        rest = np.concatenate([line.get_ydata() for line in solid if line.get_linewidth() < 4])
+        stable = unit * turned[name].values[turned["unstable"].values == 0]
+        assert set(stable) <= set(rest)
+        assert len(rest) < turned.sizes["point"]
+    labels = [text.get_text() for text in draw(turned).legends[0].get_texts()]
+    assert len(labels) == len(set(labels))
+    assert {"from rest, stable", "through the lowest pass, stable"} <= set(labels)
+    assert not any("level" in label or "trimmed" in label for label in labels)
+
+
+def test_an_older_file_that_counts_nothing_on_the_second_branch_claims_nothing(recorded):
+    legend = draw(recorded.drop_vars("trimmed_unstable")).legends[0]
+    labels = [text.get_text() for text in legend.get_texts()]
+    assert [label for label in labels if "lowest pass," in label] == [
+        "through the lowest pass, stability not recorded"
+    ]
+
+
+def _x(line):
+    return line.get_xdata()
