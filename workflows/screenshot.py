@@ -1,5 +1,7 @@
 """Picture of a recording, without a screen: screenshot.py RECORDING PNG SIM_TIME.
 
+A moment after the end of the recording is refused.
+
 Needs a Vulkan driver; Debian's mesa-vulkan-drivers draws on the processor.
 """
 
@@ -48,9 +50,11 @@ def main(recording: Path, picture: Path, sim_time: float) -> None:
 
 
 def _draw(client: ViewerClient, recording: Path, picture: Path, sim_time: float) -> list[str]:
-    """What the views complain of."""
+    """What the views complain of; exit 1 where `sim_time` is not in the recording."""
     client.open(str(recording.absolute()))
     time.sleep(_SETTLING)
+    if not 0 <= sim_time <= (end := _end(client)):
+        sys.exit(f"SIM_TIME={sim_time:g}: {recording} ends at {end:.6g} s; give 0 to that")
     client.set_time("sim_time", duration=sim_time, play_state="paused")
     time.sleep(_SETTLING)
     faults = [
@@ -58,6 +62,12 @@ def _draw(client: ViewerClient, recording: Path, picture: Path, sim_time: float)
     ]
     client.save_screenshot(str(picture.absolute()))
     return faults
+
+
+def _end(client: ViewerClient) -> float:
+    """Last sim_time [s] of what is open."""
+    timelines = (line for one in client.get_state().recordings for line in one.timelines)
+    return max((line.end or 0) / 1e9 for line in timelines if line.name == "sim_time")
 
 
 def _connect(viewer: subprocess.Popen[bytes], port: int) -> ViewerClient:

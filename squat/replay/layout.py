@@ -11,6 +11,7 @@ from squat.replay.runs import Run
 _PLAYED_IN = 20.0  # s on the watch for a whole run
 _COLUMNS = (4.0, 1.6)
 _PICTURES_AT_ONCE = 2
+_IN_A_ROW = 3  # plots whose titles and legends can be read
 
 
 def blueprint(views: dict[Place, list[rrb.View]], runs: tuple[Run, ...]) -> rrb.Blueprint:
@@ -36,11 +37,19 @@ def _left(views: dict[Place, list[rrb.View]]) -> rrb.Container:
     pictures, plots = views[Place.PICTURE], views[Place.PLOT]
     differences = views[Place.DIFFERENCE]
     below: list[rrb.Container]
-    if differences:
+    if differences and len(plots) > _IN_A_ROW:
+        below = [
+            rrb.Tabs(
+                rrb.Grid(*plots, grid_columns=_IN_A_ROW, name="Curves"),
+                rrb.Grid(*differences, grid_columns=_IN_A_ROW, name="Differences"),
+            )
+        ]
+        shares = [1.0, 1.4]
+    elif differences:
         below = [rrb.Horizontal(*plots), rrb.Horizontal(*differences)]
         shares = [1.6, 1.0, 1.0]
     else:
-        below = [rrb.Grid(*plots, grid_columns=2 if len(plots) == 4 else 3)]
+        below = [rrb.Grid(*plots, grid_columns=2 if len(plots) == 4 else _IN_A_ROW)]
         shares = [1.0, 1.4]
     many = len(pictures) > _PICTURES_AT_ONCE
     above = rrb.Tabs(*pictures) if many else rrb.Vertical(*pictures)

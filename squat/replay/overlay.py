@@ -13,22 +13,28 @@ from squat.replay.style import run_color, ticked
 
 _LINKED = 30.0
 """Time [s] before and after the one played that diagrams with linked axes show."""
+_NAME, _LEGEND = 0.12, 0.5
+"""Share of a diagram's height that a name in its legend takes, and that all may take."""
+Named = list[tuple[str, Vector]]
+"""Names in the legend with the values of their curves."""
 
 
 def time_view(
-    plot: Plot, title: str, paths: list[str], shown: list[Vector], last: float
+    plot: Plot, title: str, paths: list[str], shown: Named, runs: tuple[Run, ...]
 ) -> rrb.View:
-    """A diagram over time of all entities below `paths`, which hold the values `shown`.
+    """A diagram over time of all entities below `paths`, which hold the curves `shown`.
 
-    Longer runs than linked axes show are there from 0 to `last` [s], each diagram by itself.
+    Longer runs than linked axes show are there from 0 to the end, each diagram by itself.
+    Several runs have their legend above the curves.
     """
+    room = min(_NAME * len({name for name, _ in shown}), _LEGEND) if len(runs) > 1 else 0.0
     return rrb.TimeSeriesView(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
-        axis_x=time_axis(last),
-        axis_y=_axis(shown, plot.least_span),
-        plot_legend=rrb.PlotLegend(plot.legend),
+        axis_x=time_axis(_last(runs)),
+        axis_y=_axis(shown, plot.least_span, room),
+        plot_legend=rrb.PlotLegend(rrb.Corner2D.RightTop if room else plot.legend),
     )
 
 
@@ -44,16 +50,20 @@ def _last(runs: tuple[Run, ...]) -> float:
     return max(float(run.span.time[-1]) for run in runs)
 
 
-def _axis(shown: list[Vector], least: float) -> rrb.ScalarAxis | None:
-    """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them."""
-    told = np.concatenate([values[np.isfinite(values)] for values in shown])
+def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
+    """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them.
+
+    A share `room` of it, on top, is left to the legend.
+    """
+    told = np.concatenate([values[np.isfinite(values)] for _, values in shown])
     if not told.size:
         return None
     low, high = float(told.min()), float(told.max())
     if high - low < least:
         middle = (low + high) / 2
-        return rrb.ScalarAxis(range=(middle - least / 2, middle + least / 2))
-    wide = ticked(low, high)
+        return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - room) - 0.5)))
+    full = low, low + (high - low) / (1 - room)
+    wide = ticked(*full)
     return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
 
 
@@ -61,23 +71,31 @@ def _overlaid(plot: Plot) -> Draw:
     """Every curve of a single run; of several the compared ones, and what is constant."""
 
     def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
-        shown = []
+        shown: Named = []
         for number, run in enumerate(runs):
             for curve in plot.curves:
                 values = curve.values(run.data)
                 if run.label and not curve.compared:
                     continue
                 clock, told = _rows(run, values)
-                shown.append(told)
                 color = run_color(number) if run.label else curve.color
                 path = entity(run, "plots", plot.name, curve.name)
-                several = bool(run.label) and not values.ndim
-                label = run.said(plot.constants if several else curve.label)
+                label = _name(plot, curve, run)
+                shown.append((label, told))
                 recorder.series(path, clock, told, label, color, curve.width)
         paths = [entity(run, "plots", plot.name) for run in runs]
-        return [time_view(plot, plot.title, paths, shown, _last(runs))]
+        return [time_view(plot, plot.title, paths, shown, runs)]
 
     return draw
+
+
+def _name(plot: Plot, curve: Curve, run: Run) -> str:
+    """Name in the legend: the curve's, the run's, or both where one does not tell."""
+    if not run.label:
+        return curve.label
+    if not curve.values(run.data).ndim:
+        return run.said(plot.constants or curve.label)
+    return run.label if len(_varying(plot, run)) == 1 else run.said(curve.label)
 
 
 def _rows(run: Run, values: xr.DataArray) -> tuple[Clock, Vector]:
@@ -92,18 +110,18 @@ def _differing(plot: Plot) -> Draw:
 
     def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         first, *others = runs
-        paths, shown = [], []
+        paths: list[str] = []
+        shown: Named = []
         for number, run in enumerate(others, 1):
             for curve in _varying(plot, run):
                 clock, values = difference(first, run, curve.values)
-                shown.append(values)
+                name = _name(plot, curve, run)
+                shown.append((name, values))
                 path = entity(run, "differences", plot.name, curve.name)
-                label = f"{run.label} less {first.label}"
-                name = label if len(_varying(plot, run)) == 1 else f"{curve.label}: {label}"
                 recorder.series(path, clock, values, name, run_color(number))
             paths.append(entity(run, "differences", plot.name))
-        title = f"Δ {plot.title}"
-        return [time_view(plot, title, paths, shown, _last(runs))] if others else []
+        title = f"Δ {plot.title}, less {first.label}"
+        return [time_view(plot, title, paths, shown, runs)] if others else []
 
     return draw
 

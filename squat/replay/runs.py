@@ -1,5 +1,6 @@
 """The runs of a recording: datasets as read, their labels, clocks and snapshots."""
 
+import re
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -133,8 +134,8 @@ def load(files: tuple[str, ...]) -> tuple[Run, ...]:
 def labels(paths: list[Path]) -> list[str]:
     """Short names that differ: the deepest part of `paths` that does, less what all have in it.
 
-    Of a sweep's folders `current-1__snapshots-5` and `current-2__snapshots-5`, current-1 and
-    current-2. Empty for a single path.
+    Of a sweep's folders `hull.draft-8__snapshots-5` and `hull.draft-9__snapshots-5`, `draft 8` and
+    `draft 9`. Empty for a single path.
 
     Raises
     ------
@@ -148,16 +149,26 @@ def labels(paths: list[Path]) -> list[str]:
         if len({part[:depth] for part in parts}) == len(parts):
             names = [part[min(depth, len(part)) - 1] for part in parts]
             if len(set(names)) == len(names):
-                return _less_common(names)
+                return _less_common(names) if depth > 1 else names
             return ["/".join(part[:depth][::-1]) for part in parts]
     raise InputError(f"run={','.join(map(str, paths))}: one file twice; give each run once")
 
 
 def _less_common(names: list[str]) -> list[str]:
-    """Names of jobs without the overrides that all of them share."""
+    """Names of jobs without the overrides that all of them share, keys by their last part."""
     overrides = [name.split("__") for name in names]
     common = set(overrides[0]).intersection(*overrides[1:])
-    return ["__".join(o for o in own if o not in common) or "all else" for own in overrides]
+    differing = [[word for word in own if word not in common] for own in overrides]
+    short = [", ".join(map(_spoken, own)) or "all else" for own in differing]
+    if len(set(short)) == len(short):
+        return short
+    return ["__".join(own) or "all else" for own in differing]
+
+
+def _spoken(override: str) -> str:
+    """`draft 8` of `hull.draft-8`; what is no override stays."""
+    key, dash, value = override.partition("-")
+    return f"{re.split(r'[.@/]', key)[-1]} {value}" if dash and value else override
 
 
 def _load(path: Path, label: str) -> Run:

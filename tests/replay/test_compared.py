@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from squat import records
-from squat.replay.overlay import difference
+from squat.replay.overlay import _axis, difference
 from squat.replay.runs import labels, load
 from tests.replay.reading import NANOSECOND, scalars
 
@@ -32,6 +32,17 @@ def test_a_run_less_itself_is_nothing(ship, tmp_path):
     assert len(clock.time) == first.data.sizes["time"]
 
 
+def test_names_in_the_legend_are_short_and_have_room_above_the_curves(record, entities, ship, bare):
+    found = entities(record(ship, bare))
+    assert found["bare/plots/iterations/iterations"].rows["names"] == [["bare"]]
+    assert found["bare/differences/iterations/iterations"].rows["names"] == [["bare"]]
+    assert found["bare/plots/heave/heave"].rows["names"] == [["bare"]]
+    curves = [("a", np.array([0.0, 1.0])), ("b", np.array([0.5]))]
+    low, high = _axis(curves, 0.0, room=0.24).range.as_arrow_array().to_pylist()[0]
+    assert low <= 0.0
+    assert (1.0 - low) / (high - low) <= 1 - 0.24 + 1e-12
+
+
 def test_labels_say_what_differs_and_no_more():
     def named(*paths):
         return labels([Path(path) for path in paths])
@@ -39,5 +50,12 @@ def test_labels_say_what_differs_and_no_more():
     assert named("a/run.nc", "b/run.nc") == ["a", "b"]
     assert named("a.nc", "x/b.2.nc") == ["a", "b.2"]
     assert named("a/run.nc") == [""]
-    assert named("x/v-1__s-5/run.nc", "x/s-5__v-2/run.nc") == ["v-1", "v-2"]
+    assert named("x/v-1__s-5/run.nc", "x/s-5__v-2/run.nc") == ["v 1", "v 2"]
+    assert named("hull.draft--1/run.nc", "hull.draft-2/run.nc") == ["draft -1", "draft 2"]
+    assert named("hull.draft-9__x.y-1/r.nc", "hull.draft-8__x.y-1__v-2/r.nc") == [
+        "draft 9",
+        "draft 8, v 2",
+    ]
+    assert named("a.l-1/run.nc", "b.l-1/run.nc") == ["a.l-1", "b.l-1"]
+    assert named("v-1.nc", "v-2.nc") == ["v-1", "v-2"]
     assert named("a/x/1.nc", "a/y/2.nc", "b/x/2.nc") == ["x/1", "y/2", "x/2"]

@@ -2,8 +2,11 @@
 
 import subprocess
 import sys
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from rerun.experimental import Timeline
 
 from workflows import screenshot
 
@@ -18,6 +21,15 @@ def test_usage_tells_that_the_moment_is_sim_time_in_seconds(root, tmp_path):
     assert done.returncode == 2
     assert "no.rrd: no such file; squat task=replay makes one" in done.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_moment_beyond_the_end_is_refused_with_the_end(tmp_path, monkeypatch):
+    monkeypatch.setattr(screenshot, "_SETTLING", 0.0)
+    timelines = [Timeline("sim_time", "duration", 0, 7_500_000_000)]
+    state = SimpleNamespace(recordings=[SimpleNamespace(timelines=timelines)])
+    client = SimpleNamespace(open=lambda path: None, get_state=lambda: state)
+    with pytest.raises(SystemExit, match=r"SIM_TIME=8: run\.rrd ends at 7\.5 s"):
+        screenshot._draw(client, Path("run.rrd"), tmp_path / "out.png", 8.0)
 
 
 def test_what_the_viewer_says_is_shown_only_where_it_fails(tmp_path, monkeypatch, capfd):
