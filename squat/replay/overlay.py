@@ -94,7 +94,7 @@ def _name(plot: Plot, curve: Curve, run: Run) -> str:
     if not run.label:
         return curve.label
     if not curve.values(run.data).ndim:
-        return run.said(plot.constants or curve.label)
+        return plot.constants or run.said(curve.label)
     return run.label if len(_varying(plot, run)) == 1 else run.said(curve.label)
 
 
