@@ -10,7 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat.channel import Channel, Rectangle
 from squat.errors import InputError
-from squat.figures import stability as figures
+from squat.figures import limits as limits_figures
+from squat.figures import stability as energy_figures
 from squat.stability import limits, limits_map, portrait
 from squat.stability.digits import measured
 from squat.stability.equilibria import OneDimensionalModel
@@ -231,12 +232,20 @@ def test_limits_over_geometry_tend_to_1d_for_long_ships(case):
     here = limits.run(case("limits", *QUICK))
     apart = abs(float(at["limit_2d"]) - float(here["limit_speed"][1]))
     assert apart < float(at["limit_2d_error"])
-    figures.limits_map(data)
+    limits_figures.limits_map(data)
 
 
-@pytest.mark.parametrize("name", ["potential", "phase_portrait", "limits", "basins"])
-def test_figures_draw_with_nothing_cut_off(small, name):
-    figure = getattr(figures, name)(small)
+DRAWN = [
+    energy_figures.potential,
+    energy_figures.phase_portrait,
+    limits_figures.limits,
+    limits_figures.basins,
+]
+
+
+@pytest.mark.parametrize("draw", DRAWN)
+def test_figures_draw_with_nothing_cut_off(small, draw):
+    figure = draw(small)
     FigureCanvasAgg(figure).draw()
     for axes in figure.axes:
         for text in (axes.title, axes.xaxis.label, axes.yaxis.label):
@@ -250,8 +259,8 @@ def test_figures_stand_speeds_beyond_every_limit(case):
     data = data.assign_attrs(
         config=json.dumps({"hull": {"draft": 10.0}, "channel": {"depth": 20.0}})
     )
-    for name in ("potential", "phase_portrait", "limits", "basins"):
-        FigureCanvasAgg(getattr(figures, name)(data)).draw()
+    for draw in DRAWN:
+        FigureCanvasAgg(draw(data)).draw()
 
 
 def warnings_of(case, clearance):
