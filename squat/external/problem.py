@@ -39,11 +39,11 @@ class BlackBox:
         """Force of structure and fluid at the end of the step that follows `memory`."""
         time = (memory.steps + 1) * dt
         given = self.fluid(trial, time, memory.fluid)
-        force, kept = given if isinstance(given, Load) else Load(given)
-        if force is None:
+        answer, kept = given if isinstance(given, Load) else (given, None)
+        if answer is None:
             name = getattr(self.fluid, "__name__", type(self.fluid).__name__)
             raise InputError(f"fluid={name}: answered None; return the force")
-        force = np.atleast_1d(np.asarray(force, float))
+        force = np.atleast_1d(np.asarray(answer, float))
         if force.shape != trial.position.shape:
             raise InputError(
                 f"fluid: answered a force of shape {force.shape}; "
