@@ -327,6 +327,22 @@ def test_a_run_of_one_point_is_seen(tmp_path):
     assert looks["coupling = printed: completed"][1] == "None"
 
 
+def test_runs_that_coincide_are_all_seen(runs):
+    row = find([runs / "deep/0.5"])
+    table = pd.concat([row] * 4, ignore_index=True).assign(current=range(4))
+    (axes,) = draw(table, "position", None).axes
+    widths = [line.get_linewidth() for line in axes.lines]
+    assert widths == sorted(set(widths), reverse=True)
+    dashes = [line.get_linestyle() for line in axes.lines]
+    assert dashes[0] != dashes[1]
+    lost = find([runs / "deep/2.0"])
+    table = pd.concat([lost] * 3, ignore_index=True).assign(current=range(3))
+    (axes,) = draw(table, "position", None).axes
+    sizes = [line.get_markersize() for line in axes.lines]
+    assert sizes == sorted(set(sizes), reverse=True)
+    assert {line.get_markerfacecolor() for line in axes.lines} == {"none"}
+
+
 def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():
     table = pd.DataFrame(
         {"modes": ['["heave"]', '["heave"]', None], "hull.draft": [8.0, 9.0, 10.0], "kind": "x"}
