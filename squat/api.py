@@ -116,7 +116,7 @@ def compose(task: str, *overrides: str) -> dict[str, Any]:
 def find_runs(
     folder: str | PathLike[str] = ".",
     where: str = "",
-    sort: Sequence[str] = (),
+    sort: str | Sequence[str] = (),
 ) -> pd.DataFrame:
     """Table of all runs below `folder`, one row a file.
 
@@ -128,7 +128,7 @@ def find_runs(
         A condition on columns, in pandas' query language; names with dots as they are:
         ``piston.mass_ratio == 2``.
     sort
-        Columns to sort by; ``-name`` is descending.
+        Column or columns to sort by; ``-name`` is descending.
 
     Returns
     -------
@@ -143,7 +143,7 @@ def find_runs(
     >>> for ratio in (0.5, 2):
     ...     run = squat.run("piston", "scheme=standard", f"piston.mass_ratio={ratio}")
     ...     run.to_netcdf(f"ratio-{ratio}.nc", engine="h5netcdf")
-    >>> found = squat.find_runs(".", where="scheme == 'standard'", sort=["-piston.mass_ratio"])
+    >>> found = squat.find_runs(".", where="scheme == 'standard'", sort="-piston.mass_ratio")
     >>> list(found["status"])
     ['diverged', 'converged']
     """

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from joblib import Parallel, delayed
 
-from squat.lifetime import end_with
+from squat.lifetime import end_with, leave_quietly
 from squat.progress import progress
 
 Answer = TypeVar("Answer")
@@ -31,6 +31,7 @@ def spread(
     order = list(range(len(given)))
     if cost is not None:
         order.sort(key=lambda i: -cost(*given[i]))
+    leave_quietly()
     over = Parallel(n_jobs=-1, return_as="generator", initializer=end_with, initargs=(os.getpid(),))
     results = over(delayed(function)(*given[i]) for i in order)
     found = dict(zip(order, progress(results, len(given), label), strict=True))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from hydra.core.utils import JobReturn
 from hydra_plugins.hydra_joblib_launcher.joblib_launcher import JoblibLauncher
 
-from squat.lifetime import end_with
+from squat.lifetime import end_with, leave_quietly
 
 
 class Cores(JoblibLauncher):
@@ -16,5 +16,6 @@ class Cores(JoblibLauncher):
         self, job_overrides: Sequence[Sequence[str]], initial_job_idx: int
     ) -> Sequence[JobReturn]:
         """Do all runs of a sweep; the order of the answers is theirs."""
+        leave_quietly()
         self.joblib |= {"initializer": end_with, "initargs": (os.getpid(),)}
         return super().launch(job_overrides, initial_job_idx)

@@ -1,18 +1,27 @@
 """`squat task=difference`: what two runs do not have in common."""
 
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import pandas as pd
+from pydantic import BeforeValidator
 from pydantic.dataclasses import dataclass
 
 from squat import records
-from squat.catalogue.find import find
+from squat.catalogue.find import find, places
 from squat.catalogue.select import parts
+from squat.errors import InputError
 from squat.quantities import STRICT
 
 _LONGEST = 40
 """Letters of a value that are printed, of a hull's points say."""
+_PAIR = 2
+
+
+def _two(runs: object) -> object:
+    if isinstance(runs, str) or (isinstance(runs, (list, tuple)) and len(runs) != _PAIR):
+        raise InputError("runs: two files are compared; give runs=[A.nc,B.nc]")
+    return runs
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -22,18 +31,23 @@ class DifferenceCase:
     Parameters
     ----------
     runs
-        Two files.
+        Two files, or folders that hold one run each.
     """
 
-    runs: tuple[str, str]
+    runs: Annotated[tuple[str, str], BeforeValidator(_two)]
 
 
 def difference(first: Path, second: Path) -> pd.DataFrame:
     """Keys and headline figures in which two runs differ, one row each: key, first, second.
 
     Choices are among the keys, where both files tell them.
+
+    Raises
+    ------
+    InputError
+        A place holds no run, or several.
     """
-    pair = find([first]), find([second])
+    pair = _only(first), _only(second)
     names = list(dict.fromkeys([*pair[0].columns, *pair[1].columns]))
     choices = [name for name in parts(pd.concat(pair)) if "." not in name]
     rows = []
@@ -46,19 +60,31 @@ def difference(first: Path, second: Path) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=["key", str(first), str(second)])
 
 
+def _only(place: Path) -> pd.DataFrame:
+    """The row of the one run in `place`."""
+    found = find([place])
+    if len(found) > 1:
+        raise InputError(f"runs={place}: holds {len(found)} runs; give two files")
+    return found
+
+
 def write_difference(case: DifferenceCase, path: Path) -> None:
     """Print the difference, and write it to `path` as CSV."""
-    frame = difference(*map(Path, case.runs))
+    frame = difference(*places(case.runs))
     records.save_table(frame, path)
     shown = frame.apply(_short, axis=1, result_type="broadcast")
-    print(shown.to_string(index=False, na_rep="-") if len(frame) else "no difference")
+    print(shown.to_string(index=False) if len(frame) else "no difference")
 
 
 def _short(row: "pd.Series[Any]") -> list[object]:
     """A row with numbers of six digits and short texts, or all of them where that makes equal."""
-    short = [f"{v:.6g}" if isinstance(v, float) else _cut(v) for v in row]
+    short = [_brief(value) for value in row]
     return short if short[1] != short[2] else list(row.astype(str))
 
 
-def _cut(value: object) -> object:
+def _brief(value: Any) -> object:
+    if pd.isna(value):
+        return "-"
+    if isinstance(value, float):
+        return f"{value:.6g}"
     return f"{value[:_LONGEST]}..." if isinstance(value, str) and len(value) > _LONGEST else value

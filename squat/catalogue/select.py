@@ -24,7 +24,12 @@ _LISTED = 12
 _WORD = re.compile(r"""'[^']*'|"[^"]*"|`[^`]*`|[^\W\d][\w.]*""")
 
 
-def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd.DataFrame:
+def listed(names: str | Sequence[str]) -> tuple[str, ...]:
+    """`names`, or the one name that is given in place of them."""
+    return tuple(filter(None, [names])) if isinstance(names, str) else tuple(names)
+
+
+def select(frame: pd.DataFrame, where: str = "", sort: str | Sequence[str] = ()) -> pd.DataFrame:
     """Rows of `frame` that satisfy `where`, sorted by the columns `sort` (``-name``: descending).
 
     Without `sort` they are sorted by the configured numbers that vary, kind by kind.
@@ -37,10 +42,10 @@ def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd
     if where:
         _harmless(where)
         try:
-            found = frame.query(_quoted(where, frame), engine="python")
+            frame = frame[_met(where, frame)]
         except Exception as error:  # pandas raises a dozen types for what a user may mistype
             raise InputError(f"where={where}: {_complaint(where, frame, error)}") from None
-        frame = found
+    sort = listed(sort)
     names = [name.removeprefix("-") for name in sort]
     _known(names, frame, "sort")
     if not names:
@@ -49,6 +54,14 @@ def select(frame: pd.DataFrame, where: str = "", sort: Sequence[str] = ()) -> pd
         ascending = [not name.startswith("-") for name in sort]
         frame = frame.sort_values(names, ascending=ascending, kind="stable")
     return frame.reset_index(drop=True)
+
+
+def _met(where: str, frame: pd.DataFrame) -> "pd.Series[bool]":
+    """Which rows satisfy `where`; those that have nothing to compare do not."""
+    met = pd.Series(frame.eval(_quoted(where, frame), engine="python"), frame.index)
+    if pd.api.types.infer_dtype(met, skipna=True) != "boolean":
+        raise ValueError("a value, no condition")
+    return met.fillna(False).astype(bool)
 
 
 def _by_numbers(frame: pd.DataFrame) -> pd.Index:

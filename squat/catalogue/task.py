@@ -6,15 +6,23 @@ from pathlib import Path
 from typing import Annotated
 
 import pandas as pd
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 from pydantic.dataclasses import dataclass
 
 from squat import records
 from squat.catalogue.find import find, places
-from squat.catalogue.select import columns, select
+from squat.catalogue.select import columns, listed, select
 from squat.quantities import STRICT
 
 Paths = Annotated[tuple[str, ...], Field(min_length=1)]
+
+
+def _listed(given: object) -> object:
+    return listed(given) if isinstance(given, str) else given
+
+
+Names = Annotated[tuple[str, ...], BeforeValidator(_listed)]
+"""Names of columns; one may stand alone."""
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -36,8 +44,8 @@ class CatalogueCase:
 
     runs: str | Paths
     where: str
-    sort: tuple[str, ...]
-    columns: tuple[str, ...]
+    sort: Names
+    columns: Names
 
 
 def write_catalogue(case: CatalogueCase, path: Path) -> None:

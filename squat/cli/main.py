@@ -18,7 +18,7 @@ from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
 import squat
-from squat.cli.arguments import with_lists
+from squat.cli.arguments import readable
 from squat.cli.jobs import Jobs, check, note_failure
 from squat.cli.log import start_logging
 from squat.cli.pipes import quiet_end
@@ -56,7 +56,7 @@ def _main() -> None:
         print(resolve_name("squat.figures.write:catalogue")())
         return
     try:
-        sys.argv[1:] = with_lists(sys.argv[1:])
+        sys.argv[1:] = readable(sys.argv[1:])
         _check_options(sys.argv[1:])
         _entry()
     except KeyboardInterrupt:

@@ -1,11 +1,13 @@
 """Hydra's and OmegaConf's many-line errors in one line, for the command line and notebooks."""
 
 import re
+import shlex
 from collections.abc import Sequence
 
 from hydra.errors import OverrideParseException
 
 from squat.config.near import near
+from squat.config.quotes import quoted
 from squat.errors import InputError
 
 _CHOICES = re.compile(r"Available options(?: in '[^']*')?:\n(?P<list>(?:\t.*\n?)+)")
@@ -33,8 +35,7 @@ def condense(error: Exception, arguments: Sequence[str]) -> str:
     if isinstance(error, OSError) and error.filename is not None:
         return f"{_short(error.filename)}: {error.strerror}; give another file or folder"
     if isinstance(error, OverrideParseException):
-        typed = " ".join(str(error.override).split())
-        return f"{typed}: cannot be read; give KEY=VALUE, VALUE in quotes if need be"
+        return _unread(" ".join(str(error.override).split()))
     for pattern, line in _KNOWN.items():
         if found := re.search(pattern, text):
             names = found.groupdict()
@@ -44,6 +45,18 @@ def condense(error: Exception, arguments: Sequence[str]) -> str:
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     kept = [line for line in lines if not _NOISE.match(line)]
     return f"{'; '.join(kept) or type(error).__name__} (in: {' '.join(arguments)})"
+
+
+def _unread(typed: str) -> str:
+    """What to say of an argument that is not of Hydra's grammar: how its value is quoted."""
+    key, _, value = typed.partition("=")
+    advice = f"{typed}: cannot be read; give KEY=VALUE"
+    if not (key and value):
+        return advice
+    if value.startswith(("[", "{")):
+        return f"{advice}, its brackets closed and its texts in quotes"
+    whole = shlex.quote(f"{key}={quoted(value)}")
+    return f"{advice}, VALUE in quotes within those of the shell: {whole}"
 
 
 def _typed(key: str, arguments: Sequence[str]) -> str:

@@ -150,6 +150,9 @@ def _one_line(error: ValidationError, config: Mapping[str, Any]) -> str:
     # A value of the wrong kind says more than the missing keys that it implies.
     details.sort(key=lambda detail: detail["type"] == "missing")
     if details[0]["type"] == "missing":
+        if isinstance(last := details[-1]["loc"][-1], int):
+            key, given = _path(details[0]["loc"][:-1], config)[0], details[0]["input"]
+            return f"{key}={_short(given)}: has {len(given)} entries; give {last + 1}"
         missing = [_path(detail["loc"], config)[0] for detail in details]
         remedy = " ".join(f"+{key}=VALUE" for key in missing)
         return f"{', '.join(missing)}: missing; give {remedy}"
@@ -174,6 +177,8 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
     if detail["type"] == "union_tag_not_found":
         tag = str(detail["ctx"]["discriminator"]).strip("'")
         return f"{path}.{tag}: missing; give {path}.{tag}=NAME"
+    if detail["type"] == "tuple_type":
+        return f"{path}={_short(value)}: must be a list; give {path}=[{_short(value)}]"
     if found := _SIZE.match(message):
         message = f"must have {found['size']}, not {found['given']}"
     return f"{path}={_short(value)}: {message.replace('Input should', 'must')}"
@@ -190,7 +195,9 @@ def _path(loc: tuple[int | str, ...], config: Mapping[str, Any]) -> tuple[str, l
                 continue
             siblings = [str(key) for key in here if key != part]
             here = here.get(part)
-        elif isinstance(here, list) and isinstance(part, int) and part < len(here):
+        elif isinstance(part, str):
+            continue  # a kind that the value, which has no keys, could have been of
+        elif isinstance(here, list) and part < len(here):
             here = here[part]
         keys.append(str(part))
     return ".".join(keys) or "configuration", siblings

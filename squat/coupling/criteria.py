@@ -1,5 +1,6 @@
 """When a time step's iteration ends, well or badly."""
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -36,4 +37,6 @@ class Criterion:
 
     def lost(self, residual: float, first: float) -> bool:
         """Whether `residual` says that the iteration diverges; `first` was the step's first."""
-        return not residual <= self.growth * max(first, self.tolerance)
+        return not (
+            math.isfinite(residual) and residual <= self.growth * max(first, self.tolerance)
+        )

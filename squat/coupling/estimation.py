@@ -38,7 +38,8 @@ def first_iterates(
 
 
 def _apart(changes: Vector, accelerations: Vector) -> Vector:
-    """`changes`, made large enough where they are too small to divide by."""
+    """`changes`, made large enough where they are too small to divide by, or no numbers."""
+    changes = np.nan_to_num(changes, posinf=0.0, neginf=0.0)
     largest = float(np.abs(changes).max()) or float(np.abs(accelerations).max()) or 1.0
     return np.where(np.abs(changes) > 1e-3 * largest, changes, largest)
 
@@ -48,15 +49,22 @@ def effective_added_mass(iterates: Iterates) -> Vector:
 
     Position and velocity are tied to the acceleration, so that for F = -M_f q'' - C q' - K q this
     is M_f + (s1/s3) dt C + (dt^2/s3) K: all that an iteration feeds back. As m_add it makes G = 0.
-    Exact where F is linear. It need not be symmetric.
+    Exact where F is linear. It need not be symmetric. NaN where a force is not finite.
     """
     changes = np.diff(iterates.accelerations, axis=0)
+    if not np.isfinite(iterates.forces).all():  # LAPACK would say so on the terminal, and raise
+        return np.full((changes.shape[1],) * 2, np.nan)
     answers = np.diff(iterates.forces, axis=0)
     return np.asarray(-np.linalg.lstsq(changes, answers)[0].T, float)
 
 
 def dominant_factor(mass: Vector, effective: Vector, added_mass: Vector) -> float:
-    """Eigenvalue of greatest modulus of G = (M + m_add)^-1 (m_add - m_eff); modulus if complex."""
+    """Eigenvalue of greatest modulus of G = (M + m_add)^-1 (m_add - m_eff); modulus if complex.
+
+    NaN where `effective` is not finite.
+    """
+    if not np.isfinite(effective).all():
+        return np.nan
     values = np.linalg.eigvals(np.linalg.solve(mass + added_mass, added_mass - effective))
     value = values[np.argmax(np.abs(values))]
     return float(value.real) if value.imag == 0 else float(abs(value))

@@ -39,11 +39,14 @@ class BlackBox:
         """Force of structure and fluid at the end of the step that follows `memory`."""
         time = (memory.steps + 1) * dt
         given = self.fluid(trial, time, memory.fluid)
-        answer = given if isinstance(given, Load) else Load(np.atleast_1d(np.asarray(given, float)))
-        if answer.force.shape != trial.position.shape:
+        answer, kept = given if isinstance(given, Load) else (given, None)
+        if answer is None:
+            name = getattr(self.fluid, "__name__", type(self.fluid).__name__)
+            raise InputError(f"fluid={name}: answered None; return the force")
+        force = np.atleast_1d(np.asarray(answer, float))
+        if force.shape != trial.position.shape:
             raise InputError(
-                f"fluid: answered a force of shape {answer.force.shape}; "
+                f"fluid: answered a force of shape {force.shape}; "
                 f"give one of {trial.position.shape}"
             )
-        force = self.structure.force(trial, time) + answer.force
-        return Load(force, Progress(memory.steps + 1, answer.memory))
+        return Load(self.structure.force(trial, time) + force, Progress(memory.steps + 1, kept))

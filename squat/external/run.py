@@ -81,7 +81,12 @@ def couple(
     -------
     Dataset of kind `coupled` (docs/datasets.md): the history, iterations, residuals, the effective
     added mass, predicted and measured contraction; `status` says how it ended. A step that does
-    not converge ends the run and is a result.
+    not converge, or whose force is not finite, ends the run and is a result.
+
+    Raises
+    ------
+    InputError
+        An argument, or the force, of another kind or shape than asked for; a force forgotten.
     """
     _check({"scheme": (scheme, SCHEMES), "integrator": (integrator, INTEGRATORS)})
     _check({"predictor": (predictor, PREDICTORS)})
@@ -123,14 +128,18 @@ def _masses(
     scheme: ExternalScheme,
     added_mass: ArrayLike | None,
 ) -> Masses:
-    """Added masses from the first iterates of the first step, and the factor they predict."""
+    """Added masses from the first iterates of the first step, and the factor they predict.
+
+    Forces that are not finite show no added mass: the step then meets them with none.
+    """
     if (added_mass is None) == (scheme == "corrected"):
         raise InputError(f"scheme={scheme}: give added_mass with scheme=corrected, and only there")
     trial = PREDICTORS[predictor](state.past, ties)
     tangent = problem.structure.tangent(ties)
     whole = effective_added_mass(first_iterates(problem, ties, trial, state.memory))
     effective = whole - tangent
-    used = np.zeros_like(effective) if scheme == "standard" else effective
+    shown = scheme == "estimated" and np.isfinite(effective).all()
+    used = effective if shown else np.zeros_like(effective)
     if added_mass is not None:
         used = np.atleast_2d(np.asarray(added_mass, float))
         if used.shape != effective.shape:

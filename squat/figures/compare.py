@@ -19,7 +19,7 @@ from squat.errors import InputError
 from squat.figures.files import save
 from squat.figures.labels import named, telling
 from squat.figures.lacking import remedy, variables
-from squat.figures.style import CYCLE, SETTINGS, single
+from squat.figures.style import CYCLE, SETTINGS, layers, single
 from squat.quantities import STRICT
 
 _log = logging.getLogger(__name__)
@@ -31,6 +31,7 @@ _DONE = ("completed", "converged", "turned")
 _LINE = 0.17  # in, height of a line of the legend
 _WIDE = 42  # letters in a line of an axis label
 _FIXED = "\N{NO-BREAK SPACE}"
+_DOT = 3.5  # size of a ring over the width of a line
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
 
@@ -109,16 +110,22 @@ def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> 
     if len(table) > _MOST:
         raise InputError(f"runs: {len(table)} lines in one plot; narrow them to {_MOST} by where=")
     axes.set_prop_cycle(CYCLE)
-    for file, label in _labelled(table):
+    for (file, label), look in zip(_labelled(table), layers(len(table)), strict=True):
         data = records.read(Path(file))
         values = data[variable]
         if values.ndim != 1:
             raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
         across = data[over or values.dims[0]]
-        alone = "o" if pd.notna(values.values).sum() == 1 else None
-        axes.plot(across.values, values.values, marker=alone, label=label)
+        alone = pd.notna(values.values).sum() == 1
+        shown = _ring(look["lw"]) if alone else look
+        axes.plot(across.values, values.values, label=label, **shown)
         axes.set_xlabel(_axis(across.attrs["long_name"], across.attrs["units"]))
         axes.set_ylabel(_axis(values.attrs["long_name"], values.attrs["units"]))
+
+
+def _ring(width: float) -> dict[str, Any]:
+    """Look of a run of one point: the larger, the wider its line would be."""
+    return {"ls": "", "marker": "o", "mfc": "none", "ms": _DOT * width}
 
 
 def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:

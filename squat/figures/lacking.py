@@ -17,18 +17,28 @@ def variables(file: str) -> dict[str, tuple[str, ...]]:
 def remedy(table: pd.DataFrame, variable: str, over: str | None) -> str:
     """One line for runs (of `catalogue.find`) of which none has `variable` and `over` together."""
     own = {name: dims for file in table["file"] for name, dims in variables(file).items()}
+    figures = [column for column in table.columns if column.startswith(catalogue.RESULT)]
     asked = {"variable": variable} | ({} if over is None else {"over": over})
     unknown = [key for key, name in asked.items() if name not in own and name not in table.columns]
     if unknown:
         said = " ".join(f"{key}={asked[key]}" for key in unknown)
-        return f"{said}: no run has that; give what they have, as {_listed(own)}"
+        headline = all(asked[key].startswith(catalogue.RESULT) for key in unknown)
+        return (
+            f"{said}: no run has that; give what they have, as "
+            f"{_listed(figures if headline else own)}"
+        )
+    if over is None:
+        keys = [key for key in catalogue.varying(table) if key not in figures and key != variable]
+        return (
+            f"variable={variable}: one value a run; give over=KEY to plot it over what differs, "
+            f"as {_listed(keys)}"
+        )
     said = f"variable={variable} over={over}"
     name = next((name for name in asked.values() if name not in table.columns), None)
     if name is None or set(asked.values()) <= set(own):
         return f"{said}: no run has both; give two that the same runs have"
     if not own[name]:
         return f"{said}: give {catalogue.RESULT}{name}, as the catalogue calls this number"
-    figures = [column for column in table.columns if column.startswith(catalogue.RESULT)]
     along = [other for other, dims in own.items() if dims == own[name] and other != name]
     return (
         f"{said}: {name} is no single number of a run but runs over {', '.join(own[name])}; "

@@ -21,6 +21,7 @@ from squat.catalogue import (
     write_difference,
 )
 from squat.catalogue.difference import difference
+from squat.config import compose, validate
 from squat.config.units import unit
 from squat.errors import InputError
 from squat.figures.compare import CompareCase, _axis, draw, write_compare
@@ -66,6 +67,21 @@ def test_conditions_take_dotted_names_and_order_is_as_asked(runs):
     assert len(select(find([runs]), "kind == 'piston.mass_ratio'")) == 0
 
 
+def test_a_name_alone_is_a_list_of_one(runs, tmp_path, capsys):
+    for name, ratios in (("piston.mass_ratio", [0.5, 0.9, 2.0]), ("-piston.mass_ratio", [2, 0.9])):
+        found = api.find_runs(runs, "kind == 'piston'", sort=name)
+        assert list(found["piston.mass_ratio"])[: len(ratios)] == ratios
+    case = validate(
+        compose("catalogue", f"runs={runs}", "sort=-piston.mass_ratio", "columns=status")
+    ).case
+    write_catalogue(case, tmp_path / "c.parquet")
+    assert capsys.readouterr().out.split()[:3] == ["status", "diverged", "converged"]
+
+
+def test_a_condition_on_what_some_runs_lack_leaves_these_out(runs):
+    assert len(select(find([runs]), "scheme.str.contains('stand')")) == len(RATIOS)
+
+
 def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searched(tmp_path):
     numbers = (1.0, 2.0, 2.25, 2.5, 10.0)
     for number in numbers:
@@ -97,8 +113,11 @@ def test_rows_are_in_the_order_of_their_numbers_and_hidden_folders_are_not_searc
         ("`no` == 1", [], r": no is no column .*; the file of squat task=catalogue has all"),
         ("time.dt == 1", [], r": time.dt is no column .*; give one of time.periods, time.\w+$"),
         ("status = 'a=b'", [], r"where=status = 'a=b': = compares nothing; give =="),
+        ("piston.mass_ratio", [], r"where=piston.mass_ratio: a value, no condition; give a cond"),
+        ("status", [], r"where=status: a value, no condition; give a condition like"),
         ("kind ==", [], r"where=kind ==: invalid syntax"),
         ("kind.isin(['piston']) and status >", [], r": invalid syntax"),
+        ("", "mass_ratio", r"sort=mass_ratio: no run has it; give piston.mass_ratio"),
         ("", ["mass_ratio"], r"sort=mass_ratio: no run has it; give piston.mass_ratio"),
     ],
 )
@@ -137,6 +156,23 @@ def test_difference_is_empty_for_a_run_and_itself_and_names_what_differs(runs):
     assert sorted(keys) == ["piston.mass_ratio", "status"]
 
 
+def test_a_folder_stands_for_the_one_run_that_it_holds(runs):
+    one, other = runs / "deep/0.5", runs / "deep/2.0/piston.nc"
+    assert not difference(one, other).empty
+    for pair in ((runs / "deep", one), (one, runs / "deep")):
+        with pytest.raises(InputError, match=r"^runs=.*deep: holds 3 runs; give two files$"):
+            difference(*pair)
+
+
+def test_what_a_run_has_not_is_one_sign_in_the_difference(runs, tmp_path, capsys):
+    files = str(runs / "deep/0.5/piston.nc"), str(runs / "roots.nc")
+    write_difference(DifferenceCase(runs=files), tmp_path / "d.csv")
+    printed = capsys.readouterr().out
+    ends = {line.split()[0]: line.split()[-1] for line in printed.splitlines()}
+    assert (ends["status"], ends["result.position_last"]) == ("-", "-")
+    assert not {"nan", "None", "NaN"} & set(printed.split())
+
+
 def test_the_difference_is_printed_in_short_and_never_as_equal(tmp_path, capsys):
     files = []
     for name, ratio in (("a", 2.25), ("b", 2.5), ("c", 2.25000001)):
@@ -153,8 +189,8 @@ def test_the_difference_is_printed_in_short_and_never_as_equal(tmp_path, capsys)
 
 
 def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):
-    where = "where=kind == 'piston' and status == 'converged'"
-    done = squat("task=catalogue", f"runs={runs}", f'"{where}"'.replace('"where=', 'where="'))
+    where = "where='piston' == kind and status == 'converged'"
+    done = squat("task=catalogue", f"runs={runs}", where)
     assert done.returncode == 0, done.stderr
     assert "piston.mass_ratio" in done.stdout
     assert "2 runs" in done.stdout
@@ -214,6 +250,9 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         ("result.steps", "position", "position is no single number .*result.position_min"),
         ("position", "heave", "^over=heave: no run has that"),
         ("time_step", "piston.mass_ratio", "give result.time_step"),
+        ("result.steps", None, "result.steps: one value a run; give over=KEY .*piston.mass_ratio"),
+        ("scheme", None, "scheme: one value a run; give over=KEY"),
+        ("result.step", None, "result.step: no run has that; .* as result.*result.steps"),
     ],
 )
 def test_what_cannot_be_compared_is_told_apart_from_what_is_not_there(runs, variable, over, said):
@@ -286,6 +325,22 @@ def test_a_run_of_one_point_is_seen(tmp_path):
     looks = {line.get_label(): (len(line.get_xdata()), line.get_marker()) for line in axes.lines}
     assert looks["coupling = printed_standard: diverged"] == (1, "o")
     assert looks["coupling = printed: completed"][1] == "None"
+
+
+def test_runs_that_coincide_are_all_seen(runs):
+    row = find([runs / "deep/0.5"])
+    table = pd.concat([row] * 4, ignore_index=True).assign(current=range(4))
+    (axes,) = draw(table, "position", None).axes
+    widths = [line.get_linewidth() for line in axes.lines]
+    assert widths == sorted(set(widths), reverse=True)
+    dashes = [line.get_linestyle() for line in axes.lines]
+    assert dashes[0] != dashes[1]
+    lost = find([runs / "deep/2.0"])
+    table = pd.concat([lost] * 3, ignore_index=True).assign(current=range(3))
+    (axes,) = draw(table, "position", None).axes
+    sizes = [line.get_markersize() for line in axes.lines]
+    assert sizes == sorted(set(sizes), reverse=True)
+    assert {line.get_markerfacecolor() for line in axes.lines} == {"none"}
 
 
 def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():

@@ -28,7 +28,12 @@ from squat.records import read
         ),
         (["task=piston", "+pistn.x=2"], "squat: pistn={'x': 2}: unknown key;"),
         (["task=piston", "piston.mass_ratio=0"], "squat: piston.mass_ratio=0: must be greater"),
-        (["task=piston", "out=["], "squat: out=[: cannot be read;"),
+        (["task=piston", "out=["], "squat: out=[: cannot be read; give KEY=VALUE, its brackets"),
+        (
+            ["task=piston", "out=a=b.nc"],
+            "squat: out=a=b.nc: cannot be read; give KEY=VALUE, VALUE in quotes within those of "
+            """the shell: 'out="a=b.nc"'""",
+        ),
         (["task=piston", "out=a.csv"], "squat: out=a.csv: must end in .nc;"),
         (["task=piston", "piston=null"], "squat: Config group override must be"),
         (["task=piston", "accelerator=foo"], "squat: accelerator=foo: unknown; give one of"),

@@ -54,6 +54,30 @@ def test_bad_geometry_names_key_value_and_remedy(overrides, line):
     assert str(caught.value).startswith(line)
 
 
+@pytest.mark.parametrize(
+    ("task", "overrides", "line"),
+    [
+        ("catalogue", ["sort=1"], "sort=1: must be a list; give sort=[1]"),
+        ("catalogue", ["runs=1"], "runs=1: must be a valid string"),
+        ("catalogue", ["runs=[a,1]"], "runs=['a', 1]: must be a valid string"),
+        ("uneven_bottom", ["gaps=0.1"], "gaps=0.1: must be a list; give gaps=[0.1]"),
+        (
+            "stability",
+            ["portrait.heave_shares=[0.1]"],
+            "portrait.heave_shares=[0.1]: has 1 entries; give 2",
+        ),
+        ("difference", ["runs=[v2.nc]"], "runs: two files are compared; give runs=[A.nc,B.nc]"),
+        ("difference", ["runs=v2.nc"], "runs: two files are compared; give runs=[A.nc,B.nc]"),
+        ("difference", ["runs=[a,b,c]"], "runs: two files are compared; give runs=[A.nc,B.nc]"),
+    ],
+)
+def test_a_bad_list_names_key_value_and_remedy(task, overrides, line):
+    with pytest.raises(InputError) as caught:
+        validate(compose(task, *overrides))
+    assert str(caught.value).startswith(line)
+    assert "+" not in str(caught.value)
+
+
 @pytest.mark.parametrize("task", ["piston", "iterations", "equilibria"])
 def test_every_run_task_composes_without_overrides(task):
     valid = validate(compose(task))

@@ -157,3 +157,29 @@ def test_impossible_structures_are_one_line(arguments, line):
 def test_force_of_another_shape_is_one_line():
     with pytest.raises(InputError, match=r"fluid: answered a force of shape \(2,\)"):
         squat.couple(squat.Structure(1.0), lambda *_: np.zeros(2), position=1.0, dt=0.1, steps=1)
+
+
+@pytest.mark.parametrize("scheme", ["standard", "estimated"])
+@pytest.mark.parametrize("good", [0, 1, 2])
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_a_force_that_is_no_number_diverges_from_the_first_call_on(scheme, good, value, capfd):
+    calls = []
+
+    def failing(motion, time, memory):
+        assert np.isfinite(motion.position).all()
+        calls.append(time)
+        return value if len(calls) > good else -2.0 * motion.acceleration
+
+    data = squat.couple(squat.Structure(1.0), failing, position=1.0, dt=0.1, steps=3, scheme=scheme)
+    assert data.attrs["status"] == "diverged"
+    assert data.sizes["time"] == 1
+    assert capfd.readouterr().err == ""  # LAPACK complains there
+
+
+@pytest.mark.parametrize("answer", [None, Load(None, 1)])
+def test_a_force_that_is_forgotten_is_one_line_with_the_name_of_the_function(answer):
+    def forgetful(motion, time, memory):
+        return answer
+
+    with pytest.raises(InputError, match=r"^fluid=forgetful: answered None; return the force"):
+        squat.couple(squat.Structure(1.0), forgetful, position=1.0, dt=0.1, steps=1)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from squat import records
-from squat.cli.arguments import with_lists
+from squat.cli.arguments import readable
 from squat.errors import InputError
 from squat.records.transient_kinds import TRANSIENT
 from squat.replay.case import ReplayCase
@@ -66,7 +66,7 @@ def test_a_failed_recording_leaves_the_older_one(tmp_path, ship, monkeypatch):
     ],
 )
 def test_commas_make_a_list_where_hydra_would_refuse_them(typed, read):
-    assert read in with_lists(typed)
+    assert read in readable(typed)
 
 
 def test_the_command_compares_by_commas(squat, tmp_path, ship, bare):
@@ -93,4 +93,4 @@ def test_a_bad_run_is_one_line(squat, tmp_path):
 )
 def test_impossible_lists_are_named(case, run, line):
     with pytest.raises(InputError, match=re.escape(line)):
-        case("replay", *with_lists(["task=replay", run])[1:])
+        case("replay", *readable(["task=replay", run])[1:])
