@@ -12,6 +12,8 @@ from squat.errors import InputError
 AHull = TypeVar("AHull", bound=Hull)
 _EXACT = 1e-13
 """Of the stretch, relative: rounding of the area."""
+_FIRST = 0.01
+"""Change of the secant's second guess: small, since a hull has not every length that is tried."""
 
 
 def resized(hull: AHull, **sizes: Any) -> AHull:
@@ -42,7 +44,7 @@ def stretched(hull: AHull, displacement: float | None) -> AHull:
     guess = area / hull.outline.area
     try:
         # Areas are affine in the length, or nearly: two steps of the secant do.
-        factor = float(newton(excess, guess, x1=1.01 * guess, rtol=_EXACT))
+        factor = float(newton(excess, guess, x1=(1 + _FIRST) * guess, rtol=_EXACT))
     except (InputError, RuntimeError) as error:
         raise InputError(
             f"displacement={area:g}: no length of this hull gives that area; give another, "

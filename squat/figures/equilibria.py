@@ -30,7 +30,7 @@ def fig10(data: xr.Dataset) -> Figure:
     axes.plot(squat, sinkage, "k.", ms=9, label=f"squat speed {squat:.3f} m/s")
     low = float(data["unphysical"].min()) + 0.1 * bottom
     axes.axhspan(low, bottom, color="0.85", lw=0)
-    axes.text(0.98 * speed[-1], 1.02 * bottom, "keel on the bottom or below", ha="right", va="top")
+    axes.text(0.98 * speed[-1], 1.025 * bottom, "keel on the bottom or below", ha="right", va="top")
     axes.set(xlim=(speed[0], speed[-1]), ylim=(low, -0.15 * bottom))
     axes.set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
     axes.set_ylabel("vertical position $w$ [m]")
