@@ -81,9 +81,9 @@ def _(sources: Sources) -> Finding:
     )
     text = f"from {count[0]} to {count[-1]} a step before the run ends ({run.attrs['status']})"
     note = (
-        f"faster than exponentially: {np.exp(late):.2g}-fold over the last quarter of the steps, "
-        f"{np.exp(early):.2g}-fold over that before; the count has a pole where |G|, which grows "
-        f"with the water's inertia as the ship falls, is 1; {_speed(run)}"
+        f"{np.exp(late):.2g}-fold over the last quarter of the steps, {np.exp(early):.2g}-fold "
+        "over that before, where exponential growth has equal factors; the count has a pole where "
+        f"|G|, which grows with the water's inertia as the ship falls, is 1; {_speed(run)}"
     )
     return Finding(text, note, holds(bool(late > early >= 0 and late > np.log(2))))
 
