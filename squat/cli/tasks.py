@@ -113,13 +113,13 @@ def run_task(valid: Valid, path: Path) -> None:
         _log.info("%s: written", path)
         return
     with records.claim(path):
-        for remark in filter(None, _remarks(valid.case)):
+        for remark in filter(None, remarks(valid.case)):
             _log.info("%s", remark)
         dataset = _written(valid, path, started)
     _log.info("%s: written%s", path, ending(dataset, valid.case))
 
 
-def _remarks(case: Any) -> Iterator[str]:
+def remarks(case: Any) -> Iterator[str]:
     """What a user should be told of a case's hull and channel before it runs; empty: nothing."""
     hull = getattr(case, "hull", None)
     if hull is not None:

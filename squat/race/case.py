@@ -1,6 +1,6 @@
 """What the race is run over."""
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 from pydantic.dataclasses import dataclass
@@ -62,6 +62,8 @@ class RaceCase:
     iterations, growth
         See `Criterion`.
     """
+
+    free_surface: ClassVar = "rigid_lid"
 
     piston: Piston
     hull: AnyHull

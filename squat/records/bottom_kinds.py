@@ -58,5 +58,4 @@ UNEVEN_BOTTOM = Kind(
         "shelf_rise": Variable((), "m", "height of the shelf of the ramps at many places"),
         "current": Variable((), "m s-1", "current at Out, over the foot of the ramp"),
     },
-    ("hull",),
 )

@@ -59,5 +59,4 @@ TRIM = Kind(
         "start_heave": Variable((), "m", "w(0) of the start"),
         "start_pitch": Variable((), "rad", "pitch of the start, positive bow down"),
     },
-    ("hull",),
 )

@@ -61,21 +61,21 @@ class Range:
     greatest: Position | None
     points: Annotated[int, Field(strict=True, ge=2, le=1000)]
 
-    def __post_init__(self) -> None:
-        if self.least is not None and self.greatest is not None:
-            _check_order(self.least, self.greatest)
+    def values(self, key: str, least: float, greatest: float) -> Vector:
+        """The values of `key`, shape (points,), between the ship's own ends where none are given.
 
-    def values(self, least: float, greatest: float) -> Vector:
-        """The values, shape (points,), between the ship's own ends where none are given."""
+        Raises InputError where the least is not below the greatest.
+        """
         low = least if self.least is None else self.least
         high = greatest if self.greatest is None else self.greatest
-        _check_order(low, high)
+        check_order(key, low, high)
         return np.linspace(low, high, self.points)
 
 
-def _check_order(least: float, greatest: float) -> None:
-    if greatest <= least:
-        raise InputError(f"greatest={greatest:g}: must exceed least={least:g}")
+def check_order(key: str, least: float | None, greatest: float | None) -> None:
+    """Raise InputError where both ends of the range `key` are given, in the wrong order."""
+    if least is not None and greatest is not None and greatest <= least:
+        raise InputError(f"{key}.greatest={greatest:g}: must exceed {key}.least={least:g}")
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -102,6 +102,11 @@ class Portrait:
     heave_shares: tuple[Positive, Positive]
     velocity_share: Positive
 
+    def __post_init__(self) -> None:
+        for name in ("heaves", "velocities"):
+            ends = getattr(self, name)
+            check_order(f"portrait.{name}", ends.least, ends.greatest)
+
     def starts(self, interval: Interval, period: float) -> tuple[Vector, Vector]:
         """Heaves [m] and velocities [m/s] of the map, of a ship of that small-heave `period`."""
         deep, high = (
@@ -110,7 +115,10 @@ class Portrait:
         )
         speed = 2 * math.pi / period * abs(interval.low)
         fastest = readable(self.velocity_share * speed, speed)
-        return self.heaves.values(deep, high), self.velocities.values(0.0, fastest)
+        return (
+            self.heaves.values("portrait.heaves", deep, high),
+            self.velocities.values("portrait.velocities", 0.0, fastest),
+        )
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)

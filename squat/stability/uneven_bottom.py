@@ -188,7 +188,7 @@ def run(case: UnevenBottomCase) -> xr.Dataset:
         "shelf_rise": case.rise,
         "current": case.current,
     }
-    return build(UNEVEN_BOTTOM, data, {"hull": case.hull.shape})
+    return build(UNEVEN_BOTTOM, data)
 
 
 _LIMITS = (

@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from squat import records
 from squat.records.identity import HOUSEKEEPING
 from squat.sweeps.jobs import Job
 
@@ -62,13 +63,19 @@ def _leaves(value: Any, path: str = "") -> Iterator[tuple[str, Value]]:
 
 
 def _choices(jobs: Sequence[Job]) -> Iterator[tuple[str, dict[str, Value]]]:
-    """Groups that every job chose from on its command line, with the names chosen."""
-    given = [dict(part.lstrip("+~").partition("=")[::2] for part in job.overrides) for job in jobs]
+    """Groups that every job chose from, on its command line or as its file says, with the names."""
+    given = [_given(job) for job in jobs]
     for group in given[0] if given else ():
         key = group.rpartition("@")[2].strip("/").replace("/", ".")
         nodes = all(isinstance(_node(job.config, key), Mapping) for job in jobs)
         if nodes and all(group in words for words in given):
             yield key, {job.name: words[group] for job, words in zip(jobs, given, strict=True)}
+
+
+def _given(job: Job) -> dict[str, str]:
+    if job.overrides or job.dataset is None:
+        return dict(part.lstrip("+~").partition("=")[::2] for part in job.overrides)
+    return records.choices_of(job.dataset.attrs)
 
 
 def _node(config: Any, key: str) -> Any:

@@ -1,7 +1,7 @@
 """What the task `trim` is asked."""
 
 from dataclasses import replace
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 from pydantic.dataclasses import dataclass
@@ -72,6 +72,8 @@ class TrimCase:
     arc, points
         Step of the continuation over the clearance at rest, and most points of the branch.
     """
+
+    free_surface: ClassVar = "rigid_lid"
 
     hull: AnyHull
     channel: Channel

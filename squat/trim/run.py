@@ -60,7 +60,7 @@ def run(case: TrimCase) -> xr.Dataset:
         **limits,
     }
     data |= _errors(case, hull, data)
-    return build(TRIM, data, {"hull": case.hull.shape, "summary": summary(case, data)})
+    return build(TRIM, data, {"summary": summary(case, data)})
 
 
 def _from_rest(case: TrimCase, modes: Modes) -> list[Point]:

@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from squat.cli.tasks import run_task
+from squat.cli.tasks import remarks, run_task
 from squat.config import compose, validate
 from squat.records import read
 
@@ -48,6 +48,12 @@ def test_a_channel_that_is_short_ahead_is_remarked_on_once_and_under_the_lid_alo
     said("added_mass", *quick, f"free_surface={surface}")
     lines = [record.getMessage() for record in caplog.records]
     assert sum("channel.upstream=40: short" in line for line in lines) == count
+
+
+@pytest.mark.parametrize("task", ["race", "trim"])
+def test_tasks_that_know_the_lid_alone_remark_on_it_too(task):
+    case = validate(compose(task, "hull.length=60.0")).case
+    assert any("channel.upstream=40: short" in line for line in remarks(case))
 
 
 def test_limits_are_told_with_errors_and_where_pitch_is_found(said):

@@ -86,7 +86,10 @@ def test_the_paper_s_ship_is_asked_about_the_printed_speeds(case):
     ("key", "said"),
     [
         ("speeds.least=9", "speeds.least=9: must be less than speeds.greatest=3"),
-        ("portrait.heaves.least=3", "greatest=2: must exceed least=3"),
+        (
+            "portrait.heaves.least=3",
+            "portrait.heaves.greatest=2: must exceed portrait.heaves.least=3",
+        ),
     ],
 )
 def test_a_start_beyond_the_ship_s_own_end_is_refused(case, key, said):

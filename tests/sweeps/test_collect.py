@@ -28,12 +28,12 @@ from squat.sweeps.stack import stack
 def job(tmp_path):
     """Write the dataset of one job as a multirun does."""
 
-    def write(name, *overrides, task="piston", make=run):
+    def write(name, *overrides, task="piston", make=run, chosen=None):
         valid = validate(compose(task, *overrides))
         dataset = make(valid.case)
         path = tmp_path / name / f"{task}.nc"
         path.parent.mkdir(parents=True, exist_ok=True)
-        save(dataset, path, valid.config, 0.0)
+        save(dataset, path, valid.config, 0.0, choices=chosen)
         return dataset
 
     return write
@@ -123,6 +123,15 @@ def test_a_choice_without_a_name_is_labelled_by_the_plan(job, joined, tmp_path):
     sweep = joined()
     assert json.loads(sweep.attrs["axes"]) == {"channel": "channel"}
     assert list(sweep["channel"].values) == ["paper", "fig7"]
+
+
+def test_without_a_plan_it_is_labelled_by_what_the_files_say_of_their_choices(job, joined):
+    for name in ("paper", "fig7"):
+        chosen = {"channel": name, "hull": "section36"}
+        job(name, f"channel={name}", task="equilibria", make=equilibria, chosen=chosen)
+    sweep = joined()
+    assert json.loads(sweep.attrs["axes"]) == {"channel": "channel"}
+    assert set(sweep["channel"].values) == {"paper", "fig7"}
 
 
 def test_failed_and_missing_jobs_are_named_and_have_their_place(job, joined, tmp_path, caplog):
