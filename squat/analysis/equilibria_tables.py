@@ -4,6 +4,8 @@ import xarray as xr
 
 from squat.analysis.lookup import Here, LookUp
 
+_NOTES = {("1", "unstable"): "the force of (27) vanishes nowhere within half a printed digit"}
+
 
 def table7(data: xr.Dataset) -> LookUp:
     """Both roots inside the channel, by speed."""
@@ -11,6 +13,7 @@ def table7(data: xr.Dataset) -> LookUp:
     def here(keys: dict[str, str]) -> Here:
         column = data[f"case_{keys['root']}"].values
         found = column[data["case_speed"].values == float(keys["V_inf"])]
-        return Here(float(found[0]) if found.size else float("nan"))
+        note = _NOTES.get((keys["V_inf"], keys["root"]), "")
+        return Here(float(found[0]) if found.size else float("nan"), note)
 
     return here

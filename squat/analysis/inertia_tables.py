@@ -9,6 +9,8 @@ import xarray as xr
 from squat.analysis.lookup import MISSING, Here, LookUp
 from squat.analysis.verdict import MATCH, half_digit, judge
 
+MESH = "here_paper_mesh"
+"""Column of values on the mesh of the paper."""
 OTHER_READING = "1.5"
 """Row of Table 5 that fits T = 10 m fixed in all its cells, and no other reading."""
 
@@ -36,10 +38,11 @@ def table4(data: xr.Dataset) -> LookUp:
         if cell is None:
             return MISSING
         note = "H/T = 10, 20, 40 extrapolated in 1/H^2" if math.isinf(ratio) else ""
+        columns = _own_columns(cell)
         if keys["source"] == "wendel_1956":
             note = "; ".join(filter(None, ["Wendel's values are estimates", note]))
-        error = {"error": f"{float(cell['inertia_coefficient_error']):.2g}"}
-        return Here(_value(cell), note, columns=error)
+            del columns[MESH]
+        return Here(_value(cell), note, columns=columns)
 
     return here
 
@@ -62,11 +65,17 @@ def table5(data: xr.Dataset) -> LookUp:
 
 def _columns(main: xr.Dataset, other: xr.Dataset, chosen: xr.Dataset) -> dict[str, str]:
     return {
-        "error": f"{float(chosen['inertia_coefficient_error']):.2g}",
-        "here_paper_mesh": f"{float(chosen['inertia_coefficient_mesh']):.12g}",
+        **_own_columns(chosen),
         "here_T10": f"{_value(other):.12g}",
         "error_T10": f"{float(other['inertia_coefficient_error']):.2g}",
         "here_H20": f"{_value(main):.12g}",
+    }
+
+
+def _own_columns(cell: xr.Dataset) -> dict[str, str]:
+    return {
+        "error": f"{float(cell['inertia_coefficient_error']):.2g}",
+        MESH: f"{float(cell['inertia_coefficient_mesh']):.12g}",
     }
 
 
@@ -79,12 +88,14 @@ def bounded_away(printed: str, cell: dict[str, str]) -> bool:
     return float(printed) - half_digit(printed) > exact
 
 
-def with_bounds(printed: str, here: Here) -> Here:
+def with_mesh(printed: str, here: Here) -> Here:
     """`here` with the verdict on the paper's mesh, and `inconsistent` where a bound says so."""
+    if MESH not in here.columns:
+        return here
     columns = dict(here.columns)
-    mesh = float(columns["here_paper_mesh"])
+    mesh = float(columns[MESH])
     columns["verdict_paper_mesh"] = judge(printed, mesh)
-    proven = bounded_away(printed, columns)
+    proven = "error_T10" in columns and bounded_away(printed, columns)
     if proven:
         note = "above the exact value in every reading, which finite elements approach from below"
     else:
@@ -96,6 +107,8 @@ def _by_mesh(printed: str, mesh: float) -> str:
     """What the mesh of the paper has to do with the print."""
     if judge(printed, mesh) == MATCH:
         return f"the mesh of the paper lies lower and gives what is printed: {mesh:.4f}"
+    if judge(printed, mesh, rounds_down=True) == MATCH:
+        return f"the mesh of the paper lies lower and gives what is printed, cut off: {mesh:.4f}"
     if abs(float(printed) - mesh) > 3 * half_digit(printed):
         return f"the mesh of the paper gives {mesh:.4f}, and no reading tried fits: a misprint?"
     return f"the mesh of the paper gives {mesh:.4f}"

@@ -23,27 +23,39 @@ def table1(data: xr.Dataset) -> LookUp:
     return lambda keys: Here(value[keys["quantity"]])
 
 
+CUT_OFF = {"0.66": 2 / 3}
+"""Printed m_f/m that may be the cut-off of another number, as the counts are."""
+
+
 def table2(data: xr.Dataset) -> LookUp:
     """Iterations against mass ratio, standard and corrected."""
     ratio = {"standard": 0.0, "corrected": 1.0}
     excluded = unreachable(data)
 
     def here(keys: dict[str, str]) -> Here:
-        value = _cell(data, ratio[keys["scheme"]], float(keys["mf_over_m"]))
+        found = _count(data, ratio[keys["scheme"]], keys["mf_over_m"])
         if keys["scheme"] == "standard" and keys["mf_over_m"] in excluded:
             low, high = excluded[keys["mf_over_m"]]
             note = f"Eq. (11) gives the printed count only at tolerances {low:.1e} to {high:.1e} m"
-            return Here(value, note, rounds_down=True, inconsistent=True)
-        return Here(value, "does not converge" if value == float("inf") else "", rounds_down=True)
+            return found._replace(note=note, inconsistent=True)
+        return found
 
     return here
 
 
 def table3(data: xr.Dataset) -> LookUp:
     """Iterations against mass ratio and added mass."""
-    return lambda keys: Here(
-        _cell(data, float(keys["madd_over_mf"]), float(keys["mf_over_m"])), rounds_down=True
-    )
+    return lambda keys: _count(data, float(keys["madd_over_mf"]), keys["mf_over_m"])
+
+
+def _count(data: xr.Dataset, added_mass_ratio: float, printed_ratio: str) -> Here:
+    """Mean iterations of one cell, which the paper rounds down."""
+    value = _cell(data, added_mass_ratio, float(printed_ratio))
+    note = "does not converge" if value == float("inf") else ""
+    if printed_ratio in CUT_OFF:
+        meant = _cell(data, added_mass_ratio, CUT_OFF[printed_ratio])
+        note = f"m_f/m = 2/3, cut off to {printed_ratio}, gives {meant:.5g}"
+    return Here(value, note, rounds_down=True)
 
 
 def _cell(data: xr.Dataset, added_mass_ratio: float, mass_ratio: float) -> float:

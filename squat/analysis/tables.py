@@ -58,8 +58,8 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
         here = look_up(keys)
         if math.isnan(here.value):
             continue
-        if name == "table5":
-            here = inertia_tables.with_bounds(text, here)
+        if name in ("table4", "table5"):
+            here = inertia_tables.with_mesh(text, here)
         verdict: Verdict = judge(text, here.value, rounds_down=here.rounds_down)
         if verdict == DIFFERS and here.inconsistent:
             verdict = INCONSISTENT

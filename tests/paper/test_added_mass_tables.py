@@ -71,6 +71,17 @@ def test_the_cell_printed_above_every_reading_is_inconsistent(sources):
     assert list(row["verdict"]) == ["paper inconsistent"]
 
 
+def test_cells_of_the_paper_that_differ_say_what_its_mesh_gives(sources):
+    """P1 elements approach from below: cut off, a value on them is the print where ours is not."""
+    rows = compare("table4", sources.table4).query("source == 'paper' and verdict == 'differs'")
+    assert len(rows) == 2
+    cut = rows["note"].str.contains("gives what is printed, cut off: 1.9392", regex=False)
+    whole = rows["note"].str.contains("gives what is printed: 0.7501", regex=False)
+    assert (cut | whole).all()
+    wendel = compare("table4", sources.table4).query("source == 'wendel_1956'")
+    assert not wendel["note"].str.contains("mesh").any()
+
+
 def test_row_a_over_T_of_1_5_is_judged_by_its_own_reading(sources):
     rows = compare("table5", sources.table5).query("a_over_T == '1.5'")
     assert (rows["here"] == rows["here_T10"]).all()

@@ -4,6 +4,7 @@ import pytest
 
 from squat.analysis.piston_tables import implied_tolerance, unreachable
 from squat.analysis.tables import compare
+from squat.analysis.verdict import judge
 from squat.analysis.verdicts import claim_rows
 
 
@@ -54,6 +55,22 @@ def test_implied_tolerance_recovers_the_tolerance_of_a_run(case, tolerance):
     other = measure(with_ratios(case("piston", f"criterion.tolerance={tolerance}"), 0.8, 0.0))[0]
     low, high = implied_tolerance(other // 1, here, abs(base.amplification()), 1e-14)
     assert low < tolerance < high
+
+
+def test_column_0_66_is_two_thirds_cut_off_as_all_its_counts_are(sources):
+    """At 0.66 two of the six counts differ from the print, at 2/3 none does."""
+    schemes = {"standard": "0", "corrected": "1"}
+    cells = [
+        (float(schemes.get(row[key], row[key])), row)
+        for name, key in (("table2", "scheme"), ("table3", "madd_over_mf"))
+        for row in compare(name, sources.iterations).to_dict("records")
+        if row["mf_over_m"] == "0.66"
+    ]
+    assert [row["verdict"] for _, row in cells].count("differs") == 2
+    for added, row in cells:
+        found = sources.iterations["mean_iterations"].sel(added_mass_ratio=added, mass_ratio=2 / 3)
+        assert judge(row["paper"], float(found), rounds_down=True) == "match"
+        assert f"m_f/m = 2/3, cut off to 0.66, gives {float(found):.5g}" in row["note"]
 
 
 def test_table_3_all_forty_cells_within_one(sources):
