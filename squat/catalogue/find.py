@@ -3,7 +3,7 @@
 import gc
 import logging
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -39,14 +39,23 @@ def find(places: Iterable[Path]) -> pd.DataFrame:
     broken: dict[Path, str] = {}
     rows = [row for path in files(places) if (row := _row(path, broken)) is not None]
     if not rows:
-        names = ", ".join(map(str, places))
-        reason = "".join(f" ({path}: {error})" for path, error in [*broken.items()][:1])
-        raise InputError(f"runs={names}: holds no run{reason}; give a folder with files of squat")
+        raise InputError(_nothing(places, broken))
     for path, error in broken.items():
         _log.warning("%s: passed over, not readable (%s)", path, error)
     frame = pd.DataFrame(rows)
     rest = sorted(frame.columns.drop(FIXED), key=lambda name: name.startswith(RESULT))
     return frame[[*FIXED, *rest]]
+
+
+def _nothing(places: Sequence[Path], broken: Mapping[Path, str]) -> str:
+    """Why `places` hold no run, and the remedy."""
+    names = ", ".join(map(str, places))
+    path, error = next(iter(broken.items()), (None, ""))
+    if path is None:
+        return f"runs={names}: holds no run; give a folder with files of squat"
+    if path in places:
+        return f"runs={path}: not readable ({error}); write it again"
+    return f"runs={names}: holds no whole run ({path}: {error}); write it again"
 
 
 def places(runs: str | Sequence[str]) -> list[Path]:
@@ -86,7 +95,7 @@ def _row(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:
 def _read(path: Path, broken: dict[Path, str]) -> dict[str, Any] | None:
     try:
         if not intact(path):
-            broken[path] = "altered"
+            broken[path] = "altered since it was written"
             return None
         with File(path, "r") as file:
             parts = str(file.attrs.get("schema", "")).split("/")

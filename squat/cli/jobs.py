@@ -24,7 +24,7 @@ from hydra.experimental.callback import Callback
 from omegaconf import DictConfig
 
 from squat import sweeps
-from squat.cli.log import start_logging
+from squat.cli.log import refuse, start_logging
 from squat.config import CONF
 from squat.errors import InputError
 from squat.progress import hide, progress
@@ -81,9 +81,14 @@ class Jobs(Callback):
         """Write the plan, and watch the jobs end."""
         start_logging(config.log_level)
         named, folder = _named(config), Path(config.hydra.sweep.dir).resolve()
-        sweeps.write_plan(folder, config.task, named)
-        Jobs._board = Board(folder, list(named))
+        try:
+            _check_folder(folder)
+            sweeps.write_plan(folder, config.task, named)
+            Jobs._board = Board(folder, list(named))
+        except (InputError, OSError) as error:
+            refuse(str(error))  # of an exception Hydra would warn, and go on
         self.marks = Jobs._board.folder.name
+        _log.info("%d jobs in %s", len(named), os.path.relpath(folder))
 
     def on_job_start(self, config: DictConfig, **kwargs: Any) -> None:
         """One job of many shows no progress of its own."""
@@ -102,6 +107,18 @@ class Jobs(Callback):
         if cls._board is not None:
             cls.failed = cls._board.close() or cls.failed
             cls._board = None
+
+
+def _check_folder(folder: Path) -> None:
+    """Raise InputError where a sweep cannot write."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as error:
+        raise InputError(
+            f"hydra.sweep.dir={os.path.relpath(folder)}: cannot be written ({error.strerror}); "
+            "give another folder"
+        ) from error
 
 
 def _named(config: DictConfig) -> dict[str, list[str]]:

@@ -20,7 +20,7 @@ from omegaconf.errors import OmegaConfBaseException
 import squat
 from squat.cli.arguments import readable
 from squat.cli.jobs import Jobs, check, note_failure
-from squat.cli.log import start_logging
+from squat.cli.log import BAD_INPUT, refuse, report, start_logging
 from squat.cli.pipes import quiet_end
 from squat.cli.targets import guard
 from squat.cli.tasks import earlier_end, output, run_task
@@ -33,7 +33,6 @@ from squat.records import BusyError
 from squat.sweeps import FAILED
 
 _log = logging.getLogger(__name__)
-BAD_INPUT = 2
 INTERRUPTED = 130
 _ANY_TASK = "task=piston"  # Hydra composes before it prints its help, and a task is mandatory
 
@@ -60,21 +59,18 @@ def _main() -> None:
         _check_options(sys.argv[1:])
         _entry()
     except KeyboardInterrupt:
-        _report("interrupted; the same command goes on from here")
+        report("interrupted; the same command goes on from here")
         sys.exit(INTERRUPTED)
     except TerminatedWorkerError:
-        _report("a job was killed, for want of memory perhaps; the same command goes on from here")
-        sys.exit(BAD_INPUT)
+        refuse("a job was killed, for want of memory perhaps; the same command goes on from here")
     except BrokenPipeError:
         raise
     except MemoryError:
-        _report(f"not enough memory; give a smaller case (in: {' '.join(sys.argv[1:])})")
-        sys.exit(BAD_INPUT)
+        refuse(f"not enough memory; give a smaller case (in: {' '.join(sys.argv[1:])})")
     except Exception as error:
         if Jobs.job_started:
             raise  # a bug, not bad input: its traceback is wanted
-        _report(condense(error, sys.argv[1:]))
-        sys.exit(BAD_INPUT)
+        refuse(condense(error, sys.argv[1:]))
     finally:
         Jobs.finish()
     if Jobs.failed:
@@ -84,14 +80,14 @@ def _main() -> None:
 def _check_options(arguments: list[str]) -> None:
     """Refuse unknown options in one line, before argparse does in many."""
 
-    def refuse(message: str) -> NoReturn:
+    def unknown(message: str) -> NoReturn:
         raise InputError(f"{message}; squat --help shows the usage")
 
     parser = get_args_parser()
-    parser.error = refuse  # type: ignore[method-assign]
+    parser.error = unknown  # type: ignore[method-assign]
     options = parser.parse_args(arguments)
     if options.experimental_rerun:
-        refuse("--experimental-rerun runs what a pickle holds and is not offered")
+        unknown("--experimental-rerun runs what a pickle holds and is not offered")
     if options.multirun:
         check(options.overrides)
     if options.help and not any(word.startswith("task=") for word in arguments):
@@ -122,7 +118,7 @@ def _entry(config: DictConfig) -> None:
                 note_failure(folder, error, line, expected)
             line = f"{folder.name}: {line}"
         Jobs.failed, Jobs.outcome = True, "failed"
-        _report(line)
+        report(line)
 
 
 def _run(valid: Valid, folder: Path, multirun: bool) -> None:
@@ -139,7 +135,3 @@ def _run(valid: Valid, folder: Path, multirun: bool) -> None:
             _log.info("%s: complete, skipped (%s); redo=true makes it again", path, status)
             return
     run_task(valid, path)
-
-
-def _report(line: str) -> None:
-    print(f"squat: {line}", file=sys.stderr)

@@ -126,6 +126,9 @@ LIMITS = Kind(
         "limit_speed": Variable(_LIMIT, "m s-1", "speed above which the ship is lost"),
         "limit_error": Variable(_LIMIT, "m s-1", "its numerical error; NaN: not known"),
         "limit_froude_number": Variable(_LIMIT, "1", "limit_speed/sqrt(g H)"),
+        "limit_local": Variable(
+            (), "m s-1", "1D squat speed with the clearance along hull and bottom", required=False
+        ),
         "formula": Variable(_FORMULA, "1", "usual formula for squat"),
         "formula_squat": Variable(_FORMULA, "m", "its squat, positive down; NaN: not applicable"),
         "formula_limit": Variable(_FORMULA, "m s-1", "its limit speed; NaN: it has none"),

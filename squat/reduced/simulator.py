@@ -54,7 +54,7 @@ class Simulator:
     """A ship per metre of width in a current, stepped in time.
 
     It holds its own state and nothing else that changes: simulators that are given the same steps
-    answer with the same bits.
+    answer with the same bits, and `copy.copy` makes one that goes its own way from here.
 
     Parameters
     ----------

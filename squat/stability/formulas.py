@@ -12,7 +12,7 @@ from squat.channel import Channel, Rectangle
 from squat.stability.equilibria import OneDimensionalModel
 from squat.water import Water
 
-_KNOT = 1852 / 3600
+KNOT = 1852 / 3600
 
 
 @dataclass(frozen=True)
@@ -97,12 +97,12 @@ def barrass(ship: Particulars) -> Answer:
     S = ship.blockage
     refused = _refused(
         (S > 0, "needs width= of the channel"),
-        _within("S", S, 0.1, 0.266),
+        (S == 0 or 0.1 <= S <= 0.266, f"S = {S:.3g} is outside 0.1 to 0.266"),
         _within("C_B", ship.block, 0.5, 0.9),
         _within("H/T", ship.depth / ship.draft, 1.1, 1.5),
     )
     return _unless(
-        refused, lambda: ship.block * (S / (1 - S)) ** (2 / 3) * (ship.speed / _KNOT) ** 2.08 / 30
+        refused, lambda: ship.block * (S / (1 - S)) ** (2 / 3) * (ship.speed / KNOT) ** 2.08 / 30
     )
 
 

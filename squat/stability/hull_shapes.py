@@ -12,6 +12,7 @@ from squat.fluid.accuracy import accurate
 from squat.records import build
 from squat.records.padding import padded
 from squat.records.stability_kinds import HULL_SHAPES
+from squat.stability import briefs
 from squat.stability.case import HullShapesCase
 from squat.stability.heave import HeaveSystem
 from squat.stability.local_depth import LocalDepthModel
@@ -62,7 +63,8 @@ def run(case: HullShapesCase) -> xr.Dataset:
         "start_heave": case.start.heave,
         "start_velocity": case.start.velocity,
     }
-    return build(HULL_SHAPES, data, {"free_surface": case.free_surface})
+    how = {"free_surface": case.free_surface, "summary": briefs.hull_shapes(data)}
+    return build(HULL_SHAPES, data, how)
 
 
 def alike(case: HullShapesCase, name: str) -> AnyHull:

@@ -18,6 +18,7 @@ from squat.stability.equilibria import Fold, OneDimensionalModel
 from squat.stability.fold import squat_speed
 from squat.stability.formulas import FORMULAS, Answer, Particulars
 from squat.stability.heave import HeaveSystem
+from squat.stability.local_depth import LocalDepthModel
 from squat.stability.orbits import linear_period, orbit
 from squat.stability.portrait import highest_pair
 from squat.stability.sampling import estimate
@@ -62,11 +63,13 @@ def run(case: LimitsCase) -> xr.Dataset:
     case.start.check(levels[0].interval)
     found = estimates(levels, case.start, case.current, case.accuracy)
     one = OneDimensionalModel(case.hull, case.channel, case.water).squat_speed()
+    local = LocalDepthModel(case.hull, case.channel, case.water).squat_speed()
     particulars = _particulars(case)
     answers = [formula.answer(particulars) for formula in FORMULAS]
     data = {
         **_motion(case, found, levels[0].interval.low / (case.grounding - 1)),
         **_limits(case, found, one),
+        "limit_local": local.speed,
         **_formulas(answers),
     }
     data["warning"] = warnings(case, data)

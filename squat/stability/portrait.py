@@ -8,6 +8,7 @@ import xarray as xr
 from squat.quantities import Vector
 from squat.records import build
 from squat.records.stability_kinds import STABILITY
+from squat.stability import briefs
 from squat.stability.branches import equilibria
 from squat.stability.case import StabilityCase
 from squat.stability.dynamic import dynamic_squat_speed
@@ -42,7 +43,11 @@ def run(case: StabilityCase) -> xr.Dataset:
         ),
         "ship_mass": ship.ship_mass,
     }
-    how = {"free_surface": case.free_surface, "squat_speed_bracket": fold.width}
+    how = {
+        "free_surface": case.free_surface,
+        "squat_speed_bracket": fold.width,
+        "summary": briefs.stability(data),
+    }
     return build(STABILITY, data, how)
 
 

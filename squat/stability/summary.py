@@ -6,6 +6,10 @@ from typing import Any
 
 from squat.stability.case import LimitsCase
 from squat.stability.digits import measured
+from squat.stability.formulas import KNOT
+
+_SAME = 1e-6
+"""Difference over a limit from which on the 1D model along the hull is another one than the box."""
 
 
 def summary(case: LimitsCase, data: Mapping[str, Any]) -> str:
@@ -19,7 +23,8 @@ def _at_speed(case: LimitsCase, data: Mapping[str, Any]) -> list[str]:
     period = measured(float(data["period"]), float(data["period_error"]), "s")
     linear = measured(float(data["linear_period"]), 0.0, "s")
     return [
-        f"at {case.current:g} m/s (Fr_h = {float(data['depth_froude_number']):.3f})",
+        f"at {case.current:g} m/s ({case.current / KNOT:.3g} kn, "
+        f"Fr_h = {float(data['depth_froude_number']):.3f})",
         f"  equilibrium           w = {equilibrium}",
         f"  clearance there       {measured(float(data['under_keel_clearance']), 0.0, 'm')}",
         f"  least clearance       {least}, from w(0) = {case.start.heave:g} m, "
@@ -39,6 +44,11 @@ def _limits(data: Mapping[str, Any]) -> list[str]:
     ):
         text = measured(float(speed), float(error), "m/s")
         lines.append(f"  {name:<22}{text} (Fr_h = {float(froude):.3f})")
+    box, local = float(data["limit_speed"][0]), float(data["limit_local"])
+    if not math.isclose(box, local, rel_tol=_SAME):
+        lines.insert(
+            2, f"  {'1D along the hull':<22}{measured(local, 0.0, 'm/s')} (its own clearance)"
+        )
     return lines
 
 

@@ -25,6 +25,7 @@ from squat.mesh.generate import generate
 from squat.quantities import STRICT, Fraction, Position, Positive, Speed, Vector
 from squat.records import build
 from squat.records.bottom_kinds import UNEVEN_BOTTOM
+from squat.stability import briefs
 from squat.stability.fold import squat_speed
 from squat.stability.local_depth import LocalDepthModel
 from squat.stability.sampling import Ship, estimate
@@ -188,7 +189,7 @@ def run(case: UnevenBottomCase) -> xr.Dataset:
         "shelf_rise": case.rise,
         "current": case.current,
     }
-    return build(UNEVEN_BOTTOM, data)
+    return build(UNEVEN_BOTTOM, data, {"summary": briefs.uneven_bottom(data)})
 
 
 _LIMITS = (

@@ -135,8 +135,10 @@ def test_of_files_without_choices_the_key_that_names_one_is_offered(runs):
 def test_foreign_and_broken_files_are_passed_over(runs, tmp_path, caplog):
     xr.Dataset({"a": ("x", np.arange(3.0))}).to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
     (tmp_path / "broken.nc").write_bytes((runs / "roots.nc").read_bytes()[:900])
-    with pytest.raises(InputError, match=r"holds no run \(.*broken\.nc: OSError\)"):
+    with pytest.raises(InputError, match=r"holds no whole run \(.*broken\.nc: OSError\); write"):
         find([tmp_path])
+    with pytest.raises(InputError, match=r"runs=.*broken\.nc: not readable \(OSError\); write it"):
+        find([tmp_path / "broken.nc"])
     assert caplog.records == []  # one line says it all
     assert len(find([tmp_path, runs])) == len(find([runs]))
     assert [record.getMessage() for record in caplog.records] == [

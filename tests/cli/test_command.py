@@ -61,6 +61,16 @@ def test_unwritable_output_is_one_line(squat, tmp_path):
     assert done.stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize("folder", ["file", "file/deeper"])
+def test_a_sweep_that_cannot_write_is_one_line_that_names_its_folder(squat, tmp_path, folder):
+    (tmp_path / "file").touch()
+    done = squat("-m", "task=piston", "piston.mass_ratio=1,2", f"hydra.sweep.dir={folder}")
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"squat: hydra.sweep.dir={folder}: cannot be written (")
+    assert done.stderr.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
 def test_divergence_is_a_result(squat, tmp_path):
     done = squat("task=piston", "piston.mass_ratio=2", "scheme=standard", "out=deep/run.nc")
     assert done.returncode == 0, done.stderr

@@ -1,5 +1,6 @@
 """The simulator against independent integration, invariants and statics."""
 
+import copy
 import math
 from itertools import pairwise
 
@@ -114,6 +115,17 @@ def test_long_steps_are_cut_and_answers_do_not_depend_on_company(set_free):
     assert a == b
     fine = set_free(max_step=1.0)
     assert fine.step(1.0, 1.0).heave == pytest.approx(set_free().step(1.0, 1.0).heave, abs=1e-5)
+
+
+def test_a_copy_goes_its_own_way_from_where_the_ship_is(set_free):
+    ship = set_free()
+    ship.step(0.5, 1.3)
+    kept = copy.copy(ship)
+    ahead = [ship.step(0.5, 2.0) for _ in range(5)]
+    assert kept.state.time == 0.5
+    other = copy.copy(kept)
+    assert [kept.step(0.5, 2.0) for _ in range(5)] == ahead
+    assert other.step(0.5, 0.3) != ahead[0]
 
 
 def test_grounded_ship_stays_where_it_touched(set_free):
