@@ -4,7 +4,10 @@ import xarray as xr
 
 from squat.analysis.lookup import Here, LookUp
 
-_NOTES = {("1", "unstable"): "the force of (27) vanishes nowhere within half a printed digit"}
+_NOTES = {
+    ("1", "unstable"): "the force of (27), its lost denominator as read here, vanishes nowhere "
+    "within half a printed digit"
+}
 
 
 def table7(data: xr.Dataset) -> LookUp:

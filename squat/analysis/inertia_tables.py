@@ -42,7 +42,7 @@ def table4(data: xr.Dataset) -> LookUp:
         if keys["source"] == "wendel_1956":
             note = "; ".join(filter(None, ["Wendel's values are estimates", note]))
             del columns[MESH]
-        return Here(_value(cell), note, columns=columns)
+        return Here(_value(cell), note, explained=keys["source"] == "wendel_1956", columns=columns)
 
     return here
 
@@ -100,7 +100,8 @@ def with_mesh(printed: str, here: Here) -> Here:
         note = "above the exact value in every reading, which finite elements approach from below"
     else:
         note = "; ".join(filter(None, [here.note, _by_mesh(printed, mesh)]))
-    return here._replace(columns=columns, inconsistent=proven, note=note)
+    by_mesh = MATCH in (judge(printed, mesh), judge(printed, mesh, rounds_down=True))
+    return here._replace(columns=columns, inconsistent=proven, explained=by_mesh, note=note)
 
 
 def _by_mesh(printed: str, mesh: float) -> str:
@@ -160,6 +161,8 @@ def table6(data: xr.Dataset) -> LookUp:
         name = keys["quantity"]
         if name not in value:
             return MISSING
-        return Here(value[name], notes.get(name, ""), inconsistent=name == "mesh_triangles")
+        return Here(
+            value[name], notes.get(name, ""), inconsistent=name == "mesh_triangles", explained=True
+        )
 
     return here

@@ -9,13 +9,15 @@ import xarray as xr
 class Here(NamedTuple):
     """Our value of a cell, and how to judge it.
 
-    `inconsistent` says that a test proves the print wrong; `columns` are further ones of the row.
+    `inconsistent` says that a test proves the print wrong, `explained` that the note tells why it
+    differs; `columns` are further ones of the row.
     """
 
     value: float
     note: str = ""
     rounds_down: bool = False
     inconsistent: bool = False
+    explained: bool = False
     columns: Mapping[str, Any] = {}
 
 

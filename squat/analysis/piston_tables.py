@@ -55,7 +55,7 @@ def _count(data: xr.Dataset, added_mass_ratio: float, printed_ratio: str) -> Her
     if printed_ratio in CUT_OFF:
         meant = _cell(data, added_mass_ratio, CUT_OFF[printed_ratio])
         note = f"m_f/m = 2/3, cut off to {printed_ratio}, gives {meant:.5g}"
-    return Here(value, note, rounds_down=True)
+    return Here(value, note, rounds_down=True, explained=printed_ratio in CUT_OFF)
 
 
 def _cell(data: xr.Dataset, added_mass_ratio: float, mass_ratio: float) -> float:

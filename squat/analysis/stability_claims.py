@@ -41,7 +41,7 @@ def _(sources: Sources) -> Finding:
     note = (
         "the scheme converges because that share happens to be m_add; as the ship sinks it grows, "
         "and backward differences, which feed back 3/4, diverge; (19) is at w(0) on the mesh of "
-        "the run; convergence.nc has it at w = 0 without a mesh"
+        "the run; convergence.nc has it at w = 0, extrapolated"
     )
     apart = abs(water / added - 1) > 0.1
     return Finding(text, note, INCONSISTENT if apart else holds(condition=True))

@@ -81,7 +81,7 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
 
 def _rounding(text: str, here: Here) -> str:
     """Whether the print is our value after all, cut off where others are rounded or reversed."""
-    if judge(text, here.value, rounds_down=not here.rounds_down) != MATCH:
+    if here.explained or judge(text, here.value, rounds_down=not here.rounds_down) != MATCH:
         return ""
     how = ("cut off", "rounded") if not here.rounds_down else ("rounded", "cut off")
     return f"printed {how[0]}, where other cells are {how[1]}"

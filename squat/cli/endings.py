@@ -38,5 +38,6 @@ def _added_mass(dataset: xr.Dataset) -> str:
         value, error = (
             float(dataset[name].sel(entry)) / mass for name in ("added_mass", "added_mass_error")
         )
-        parts.append(f"{mode} {measured(value, error)}")
+        given = float(dataset["added_mass_mesh"].sel(entry)) / mass
+        parts.append(f"{mode} {measured(value, error)} (on the given mesh {given:.5g})")
     return f"added mass over the ship's mass ({mass:.6g} kg/m): {', '.join(parts)}"

@@ -19,6 +19,7 @@ from squat.records.kinds import KINDS
 from squat.records.schema import Kind
 from squat.records.writing import atomic
 
+_ABSENT = "no such file; give a dataset that squat wrote"
 _PACKED = {"zlib": True, "complevel": 4, "shuffle": True, "_FillValue": None}
 
 
@@ -88,7 +89,8 @@ def read(path: Path, kind: Kind | None = None) -> xr.Dataset:
         Naming the file and what is wrong: absent, broken, foreign, newer, altered.
     """
     if not path.is_file():
-        raise InputError(f"{path}: no such file; give a dataset that squat wrote")
+        why = "is a folder; give a dataset in it" if path.is_dir() else _ABSENT
+        raise InputError(f"{path}: {why}")
     if not _intact(path):
         raise _altered(path)
     dataset = _load(path, None, "not a readable NetCDF-4 file")

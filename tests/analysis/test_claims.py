@@ -169,7 +169,7 @@ def test_where_the_corrected_scheme_stops_is_told_with_the_factor_of_the_failed_
 def test_iterations_that_run_away_grow_faster_than_exponentially():
     """1/(1 - |G|) with G falling to -1 does; equal factors in equal times are exponential."""
     steps = np.arange(1.0, 81.0)
-    for count, verdict in ((200 / (81 - steps), "match"), (2 ** (steps / 20), "differs")):
+    for count, verdict in ((200 / (81 - steps), "differs"), (2 ** (steps / 20), "match")):
         run = coupled(2.5, "iteration limit", iterations=("time", np.r_[0, count]))
         assert finding("iterations_grow", transients=(run,)).verdict == verdict
 

@@ -25,8 +25,12 @@ def said(tmp_path, caplog):
 
 def test_added_mass_is_told_over_the_mass_of_the_ship(said):
     line, data = said("added_mass", "mesh=coarse", "accuracy.near=0.4")
-    found = re.search(r"ship's mass \((.+) kg/m\): heave (.+) \+- (.+), surge (.+) \+- ", line)
-    mass, ratio, error, _ = map(float, found.groups())
+    found = re.search(
+        r"ship's mass \((.+) kg/m\): heave (.+) \+- (\S+) \(on the given mesh (.+)\), surge ", line
+    )
+    mass, ratio, error, coarse = map(float, found.groups())
+    heave = {"mode_i": "heave", "mode_j": "heave"}
+    assert coarse == pytest.approx(float(data["added_mass_mesh"].sel(heave)) / mass, rel=1e-4)
     assert mass == pytest.approx(float(data["ship_mass"]), rel=1e-4)
     assert ratio == pytest.approx(float(data["mass_ratio"]), abs=error)
 

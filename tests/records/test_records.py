@@ -67,6 +67,8 @@ def test_wrong_kind_is_named(path):
 
 
 def test_missing_file_is_named(tmp_path):
+    with pytest.raises(InputError, match="is a folder; give a dataset in it"):
+        read(tmp_path)
     with pytest.raises(InputError, match=r"absent\.nc: no such file"):
         read(tmp_path / "absent.nc")
 
