@@ -155,7 +155,9 @@ def _one_line(error: ValidationError, config: Mapping[str, Any]) -> str:
             return f"{key}={_short(given)}: has {len(given)} entries; give {last + 1}"
         missing = [_path(detail["loc"], config)[0] for detail in details]
         remedy = " ".join(f"+{key}=VALUE" for key in missing)
-        return f"{', '.join(missing)}: missing; give {remedy}"
+        shape = config["hull"].get("shape") if missing[0].startswith("hull.") else None
+        file = f", or begin the hull's file with defaults: [{shape}, _self_]" if shape else ""
+        return f"{', '.join(missing)}: missing; give {remedy}{file}"
     line = _describe(details[0], config)
     more = len(details) - 1
     return f"{line} (and {more} more)" if more else line

@@ -116,7 +116,8 @@ def test_all_missing_keys_of_a_hull_are_named_at_once():
         validate(compose("equilibria", "hull.shape=lewis"))
     assert str(caught.value) == (
         "hull.wall, hull.area_coefficient, hull.segments: missing; "
-        "give +hull.wall=VALUE +hull.area_coefficient=VALUE +hull.segments=VALUE"
+        "give +hull.wall=VALUE +hull.area_coefficient=VALUE +hull.segments=VALUE, "
+        "or begin the hull's file with defaults: [lewis, _self_]"
     )
     given = ["+hull.wall=1.0", "+hull.area_coefficient=0.9", "+hull.segments=24"]
     assert validate(compose("equilibria", "hull.shape=lewis", *given)).case.hull.wall == 1
