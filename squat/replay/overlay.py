@@ -63,7 +63,7 @@ def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
     if high - low < least:
         middle = (low + high) / 2
         return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - room) - 0.5)))
-    full = low, low + (high - low) / (1 - room)
+    full = low, high + (high - low) * room / (1 - room)
     wide = ticked(*full)
     return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
 

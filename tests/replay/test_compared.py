@@ -43,6 +43,12 @@ def test_names_in_the_legend_are_short_and_have_room_above_the_curves(record, en
     assert (1.0 - low) / (high - low) <= 1 - 0.24 + 1e-12
 
 
+def test_a_plot_without_legend_above_has_the_margins_of_the_viewer():
+    heave = np.array([-6.5, -0.1])
+    assert heave[0] + np.ptp(heave) != heave[1]  # rounding must not count as a range of its own
+    assert _axis([("w", heave)], 0.0, room=0.0) is None
+
+
 def test_roots_that_runs_share_are_drawn_as_those_of_a_single_run(record, entities, ship, bare):
     together, single = entities(record(ship, bare)), entities(record(ship))
     for name in ("stable_root", "unstable_root"):
