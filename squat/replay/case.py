@@ -16,7 +16,8 @@ class ReplayCase:
     Parameters
     ----------
     run
-        Dataset of task=transient or task=piston, or several of one task to compare.
+        Dataset of task=transient or task=piston, or a folder that holds one; several of one task
+        to compare.
     """
 
     run: str | Annotated[tuple[str, ...], Field(min_length=1)]

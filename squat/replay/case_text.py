@@ -45,7 +45,8 @@ def page(run: Run) -> str:
     attributes = run.data.attrs
     return (
         f"# {run.data.attrs['title']}\n\n"
-        f"**Status: {attributes['status']}** after {run.data.sizes['time'] - 1} steps.\n"
+        f"**Status: {attributes['status']}** after {run.data.sizes['time'] - 1} steps, "
+        f"at {run.steps.time[-1]:.4g} s.\n"
         f"{_READING}\n"
         f"| parameter | value | unit |\n|---|---|---|\n{rows}\n\n"
         f"Dataset `{run.path.name}`, SHA-256 of its values `{attributes['content_sha256']}`, "

@@ -79,7 +79,7 @@ def _picture(
         what += f", heights × {times}"
     stretched = np.array([1, times])
     return scene.section_view(
-        f"/{origin}", run.said(what), low * stretched, high * stretched, aspect, times > 1
+        f"/{origin}", run.told(what), low * stretched, high * stretched, aspect, times > 1
     )
 
 

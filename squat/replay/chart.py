@@ -1,12 +1,13 @@
 """Diagrams of one quantity over another: the viewer has time plots only, so axes are drawn."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
 from squat.quantities import Vector
+from squat.replay.cut import pieces, within
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
 from squat.replay.style import GREY, PALE, rgba, ticks
@@ -17,9 +18,12 @@ _HANGING = 5.0  # a label hangs so far below its point in the layout
 _MARGIN = (24.0, 8.0, 14.0, 24.0)  # left, right, top, bottom
 
 
-@dataclass(frozen=True)
+@dataclass
 class Chart:
-    """Axes of a diagram: its entity, ranges and labels (with units) of x and y; 160 wide."""
+    """Axes of a diagram: its entity, ranges and labels (with units) of x and y; 160 wide.
+
+    What leaves the frame is cut there, and the label of y says so.
+    """
 
     name: str
     title: str
@@ -28,17 +32,17 @@ class Chart:
     x_label: str
     y_label: str
     height: float = 60.0
+    cut: bool = field(default=False, init=False)
 
     def canvas(self, x: Vector, y: Vector) -> Vector:
-        """Points (..., 2) of the 2D view, y downward; what lies outside is cut to the frame."""
+        """Points (..., 2) of the 2D view, y downward."""
         places = [
-            np.clip((values - low) / (high - low), 0, 1)
-            for values, (low, high) in ((x, self.x), (y, self.y))
+            (values - low) / (high - low) for values, (low, high) in ((x, self.x), (y, self.y))
         ]
         return np.stack([places[0] * _WIDTH, (1 - places[1]) * self.height], axis=-1)
 
     def view(self, recorder: Recorder, runs: tuple[Run, ...]) -> rrb.View:
-        """Send the axes, and return the view with the curves of `runs`."""
+        """Send the axes, and return the view with the curves of `runs`, which are sent before."""
         axes = entity(None, "axes", self.name)
         self._frame(recorder, axes)
         left, right, top, bottom = _MARGIN
@@ -69,7 +73,8 @@ class Chart:
         beside = self.canvas(np.full(len(up), x0), up) - np.array([9, _HANGING])
         names = [[_WIDTH / 2, self.height + 11], [_WIDTH / 2, -11]]
         points = np.concatenate([below, beside, names])
-        texts = [f"{value:g}" for value in (*across, *up)] + [self.x_label, self.y_label]
+        y_label = f"{self.y_label}; cut at the frame" if self.cut else self.y_label
+        texts = [f"{value:g}" for value in (*across, *up)] + [self.x_label, y_label]
         recorder.static(f"{axes}/numbers", _labels(points, texts))
 
     def curve(
@@ -83,17 +88,20 @@ class Chart:
         width: float = 2.0,
     ) -> None:
         """A line for each row of `clock`: points (n, 2) in data coordinates, n of each its own."""
-        strips = [self.canvas(*line.T) for line in lines]
+        parts = [pieces(line, *self._corners) for line in lines]
+        self.cut |= not all(within(line, *self._corners).all() for line in lines)
+        strips = [self.canvas(*piece.T) for part in parts for piece in part]
         path = entity(run, "profiles", self.name, name)
         radius = rr.Radius.ui_points([width / 2])
         recorder.static(path, rr.LineStrips2D.columns(colors=rgba(color), radii=radius))
-        recorder.rows(path, clock, rr.LineStrips2D.columns(strips=strips))
+        columns = rr.LineStrips2D.columns(strips=strips)
+        recorder.rows(path, clock, columns.partition([len(part) for part in parts]))
 
     def still(
         self, recorder: Recorder, run: Run, name: str, lines: list[Vector], color: str, width: float
     ) -> None:
         """Lines (n, 2) that hold at all times; what leaves the frame is left out."""
-        strips = [self.canvas(*piece.T) for line in lines for piece in self._within(line)]
+        strips = [self.canvas(*piece.T) for line in lines for piece in pieces(line, *self._corners)]
         if not strips:
             return
         style = rr.LineStrips2D.columns(
@@ -103,28 +111,28 @@ class Chart:
         recorder.static(path, rr.LineStrips2D.columns(strips=strips).partition([len(strips)]))
         recorder.static(path, style)
 
-    def _within(self, line: Vector) -> list[Vector]:
-        """Pieces of a line (n, 2) inside the frame."""
+    @property
+    def _corners(self) -> tuple[Vector, Vector]:
+        """Lower left and upper right corner (2,) of the frame."""
         low, high = np.array([self.x, self.y]).T
-        inside = np.all((low <= line) & (line <= high), axis=1)
-        starts = np.flatnonzero(np.diff(inside)) + 1
-        pieces = zip(np.split(line, starts), inside[[0, *starts]], strict=True)
-        return [piece for piece, seen in pieces if seen and len(piece) > 1]
+        return low, high
 
     def point(
         self, recorder: Recorder, run: Run, name: str, clock: Clock, points: Vector, color: str
     ) -> None:
         """A point for each row of `clock`: (rows, 2) in data coordinates."""
         path = entity(run, "profiles", self.name, name)
+        inside = within(points, *self._corners)
+        self.cut |= not inside.all()
         recorder.static(path, _dot(color))
-        recorder.rows(path, clock, rr.Points2D.columns(positions=self.canvas(*points.T)))
+        columns = rr.Points2D.columns(positions=self.canvas(*points[inside].T))
+        recorder.rows(path, clock, columns.partition(inside.astype(int)))
 
     def mark(
         self, recorder: Recorder, run: Run, name: str, place: tuple[float, float], color: str
     ) -> None:
         """A point that stands still, with its name; none where it lies outside the frame."""
-        (x0, x1), (y0, y1) = self.x, self.y
-        if not (x0 <= place[0] <= x1 and y0 <= place[1] <= y1):
+        if not within(np.array(place), *self._corners):
             return
         path = entity(run, "profiles", self.name, name)
         position = self.canvas(*np.array(place))

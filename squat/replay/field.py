@@ -16,6 +16,7 @@ from squat.replay.style import colors, rgba, ticks
 from squat.replay.wires import draw_wires
 
 _SEEN = (0.05, 0.98)  # shares of the nodes between which colours differ: corners are singular
+_APART = 0.22  # of the colour bar, which a number beside that of an end needs
 _LEVELS = 5  # rows of arrows over the depth
 _ARROW = 0.8  # length of the current's arrow over their distance
 _WHITE = "#FFFFFFCC"
@@ -63,7 +64,8 @@ def draw_field(
     points = np.stack([fields["x"].values, fields["z"].values], axis=-1)
     _mesh(recorder, f"{origin}/mesh", run, points, pressure, limits)
     draw_wires(recorder, f"{origin}/wires", run, points)
-    _legend(recorder, f"{origin}/color_bar", depth, ends, limits)
+    words = bar_numbers(limits, (float(np.nanmin(pressure)), float(np.nanmax(pressure))))
+    _legend(recorder, f"{origin}/color_bar", depth, ends, limits, words)
     _arrows(recorder, f"{origin}/velocity", run, points, depth / _LEVELS, scales.speed)
 
 
@@ -111,14 +113,30 @@ def _legend(
     depth: float,
     ends: tuple[float, float],
     limits: tuple[float, float],
+    words: dict[float, str],
 ) -> None:
-    """Colour bar below the channel, with round numbers."""
+    """Colour bar below the channel, with `words` at their values."""
     middle, half = sum(ends) / 2, 0.3 * (ends[1] - ends[0])
     corners = np.array([middle - half, -0.35 * depth]), np.array([middle + half, -0.25 * depth])
-    numbers = ticks(*limits)
-    places = middle - half + 2 * half * (numbers - limits[0]) / (limits[1] - limits[0])
-    words = [f"{number:g} kPa" for number in numbers]
-    scene.color_bar(recorder, path, corners, limits, places, words)
+    shares = (np.array([*words]) - limits[0]) / (limits[1] - limits[0])
+    places = middle - half + 2 * half * shares
+    scene.color_bar(recorder, path, corners, limits, places, [*words.values()])
+
+
+def bar_numbers(limits: tuple[float, float], seen: tuple[float, float]) -> dict[float, str]:
+    """Words [kPa] at round numbers of the colour bar, and at its ends where pressures go beyond.
+
+    `seen` are the least and the greatest pressure.
+    """
+    low, high = limits
+    ends = {}
+    if seen[0] < low:
+        ends[low] = f"≤ {low:.3g} kPa"
+    if seen[1] > high:
+        ends[high] = f"≥ {high:.3g} kPa"
+    room = _APART * (high - low)
+    inner = [n for n in ticks(*limits) if all(abs(n - end) > room for end in ends)]
+    return {float(n): f"{n:g} kPa" for n in inner} | ends
 
 
 def _arrows(

@@ -9,7 +9,7 @@ from squat.replay.panels import Draw, Place, panel
 from squat.replay.plots import PLOTS, Curve, Plot, Values
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
-from squat.replay.style import run_color, ticked
+from squat.replay.style import run_color, shaded, ticked
 
 _LINKED = 30.0
 """Time [s] before and after the one played that diagrams with linked axes show."""
@@ -25,16 +25,17 @@ def time_view(
     """A diagram over time of all entities below `paths`, which hold the curves `shown`.
 
     Longer runs than linked axes show are there from 0 to the end, each diagram by itself.
-    Several runs have their legend above the curves.
+    Several runs have their legend above the curves, where it is in the top corner.
     """
-    room = min(_NAME * len({name for name, _ in shown}), _LEGEND) if len(runs) > 1 else 0.0
+    above = len(runs) > 1 and plot.legend is rrb.Corner2D.RightTop
+    room = min(_NAME * len({name for name, _ in shown}), _LEGEND) if above else 0.0
     return rrb.TimeSeriesView(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
         axis_x=time_axis(_last(runs)),
         axis_y=_axis(shown, plot.least_span, room),
-        plot_legend=rrb.PlotLegend(rrb.Corner2D.RightTop if room else plot.legend),
+        plot_legend=rrb.PlotLegend(plot.legend),
     )
 
 
@@ -62,7 +63,7 @@ def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
     if high - low < least:
         middle = (low + high) / 2
         return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - room) - 0.5)))
-    full = low, low + (high - low) / (1 - room)
+    full = low, high + (high - low) * room / (1 - room)
     wide = ticked(*full)
     return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
 
@@ -74,13 +75,13 @@ def _overlaid(plot: Plot) -> Draw:
         shown: Named = []
         for number, run in enumerate(runs):
             for curve in plot.curves:
-                values = curve.values(run.data)
                 if run.label and not curve.compared:
                     continue
-                clock, told = _rows(run, values)
-                color = run_color(number) if run.label else curve.color
+                own = bool(run.label) and not _one_for_all(curve, runs)
+                clock, told = _rows(run, curve.values(run.data))
+                color = _color(curve, run, number) if own else curve.color
                 path = entity(run, "plots", plot.name, curve.name)
-                label = _name(plot, curve, run)
+                label = _name(plot, curve, run) if own else curve.label
                 shown.append((label, told))
                 recorder.series(path, clock, told, label, color, curve.width)
         paths = [entity(run, "plots", plot.name) for run in runs]
@@ -89,13 +90,24 @@ def _overlaid(plot: Plot) -> Draw:
     return draw
 
 
+def _one_for_all(curve: Curve, runs: tuple[Run, ...]) -> bool:
+    """Whether the curve is a constant that all runs share."""
+    values = [curve.values(run.data) for run in runs]
+    if values[0].ndim:
+        return False
+    return bool(np.allclose(values, values[0], rtol=1e-9, atol=0, equal_nan=True))
+
+
+def _color(curve: Curve, run: Run, number: int) -> str:
+    """The run's colour, that of a constant lighter or darker by its `shade`."""
+    own = run_color(number)
+    return own if curve.values(run.data).ndim else shaded(own, curve.shade)
+
+
 def _name(plot: Plot, curve: Curve, run: Run) -> str:
-    """Name in the legend: the curve's, the run's, or both where one does not tell."""
-    if not run.label:
-        return curve.label
-    if not curve.values(run.data).ndim:
-        return plot.constants or run.said(curve.label)
-    return run.label if len(_varying(plot, run)) == 1 else run.said(curve.label)
+    """Name in the legend of several runs: the run's, or both where it does not tell the curve."""
+    alone = _varying(plot, run) == [curve]
+    return run.label if alone else run.said(curve.label)
 
 
 def _rows(run: Run, values: xr.DataArray) -> tuple[Clock, Vector]:
@@ -120,10 +132,20 @@ def _differing(plot: Plot) -> Draw:
                 path = entity(run, "differences", plot.name, curve.name)
                 recorder.series(path, clock, values, name, run_color(number))
             paths.append(entity(run, "differences", plot.name))
-        title = f"Δ {plot.title}, less {first.label}"
-        return [time_view(plot, title, paths, shown, runs)] if others else []
+        title = _titled(plot, first, others)
+        placed = plot._replace(legend=rrb.Corner2D.RightTop)  # they start from 0, anywhere
+        return [time_view(placed, title, paths, shown, runs)] if others else []
 
     return draw
+
+
+def _titled(plot: Plot, first: Run, others: list[Run]) -> str:
+    """Title of differences, with what is missing: the start alone is no common time."""
+    apart = [run.label for run in others if min(len(run.steps.time), len(first.steps.time)) < 2]
+    if len(apart) == len(others):
+        return f"Δ {plot.title}: no common time"
+    missing = f"; no common time with {', '.join(apart)}" if apart else ""
+    return f"Δ {plot.title}, less {first.label}{missing}"
 
 
 def _varying(plot: Plot, run: Run) -> list[Curve]:

@@ -20,7 +20,8 @@ class Curve(NamedTuple):
     """One line: entity, values (time,) or () of a record, name in the legend, colour.
 
     `compared` curves are overlaid where there are several runs, and their differences drawn; a
-    `width` [points] beyond the others' shows a curve below one that it should agree with.
+    `width` [points] beyond the others' shows a curve below one that it should agree with. Where
+    constants of several runs differ they are in the runs' colours, lighter or darker by `shade`.
     """
 
     name: str
@@ -29,14 +30,14 @@ class Curve(NamedTuple):
     color: str
     compared: bool = False
     width: float = 1.5
+    shade: float = 0.0
 
 
 class Plot(NamedTuple):
     """One diagram over time: entity, title with unit, variables, lines.
 
-    `least_span` of the vertical axis keeps rounding from filling the diagram; `constants` is the
-    common name of constant lines where there are several runs. Differences of a plot that stands
-    elsewhere than in `Place.PLOT` stand beside it.
+    `least_span` of the vertical axis keeps rounding from filling the diagram. Differences of a
+    plot that stands elsewhere than in `Place.PLOT` stand beside it.
     """
 
     name: str
@@ -45,7 +46,6 @@ class Plot(NamedTuple):
     curves: tuple[Curve, ...]
     legend: rrb.Corner2D = rrb.Corner2D.RightTop
     least_span: float = 0.0
-    constants: str = ""
     place: Place = Place.PLOT
 
 
@@ -87,11 +87,12 @@ PLOTS = (
         ("heave", "stable_root", "unstable_root"),
         (
             Curve("heave", variable("heave"), "w", SKY, compared=True),
-            Curve("stable_root", variable("stable_root"), "stable root", GREEN, True, 0.75),
-            Curve("unstable_root", variable("unstable_root"), "unstable root", RED, True, 0.75),
+            Curve("stable_root", variable("stable_root"), "stable root", GREEN, True, 0.75, 0.5),
+            Curve(
+                "unstable_root", variable("unstable_root"), "unstable root", RED, True, 0.75, -0.5
+            ),
         ),
         rrb.Corner2D.LeftBottom,
-        constants="roots of Eq. (27)",
     ),
     Plot(
         "pitch",

@@ -13,7 +13,7 @@ from squat.replay.runs import Run
 from squat.replay.style import ORANGE, RED, SKY, run_color
 from squat.stability.keel import keel_pressure, underside
 
-_SEEN = (0.05, 0.95)  # shares of the values between which the axes lie: corners are singular
+_SEEN = (0.05, 0.95)  # shares of the 2D values that the axes hold: corners are singular
 
 
 def keel(run: Run) -> NDArray[np.int64]:
@@ -45,11 +45,12 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     """Dynamic pressure along the keel, beside the uniform one of Eq. (27)."""
     fields, uniform = [dynamic_pressure(run) for run in runs], [uniform_pressure(r) for r in runs]
     x = [run.data["hull_x"].values[keel(run)] for run in runs]
+    levels = np.concatenate(uniform).tolist()
     chart = Chart(
         "keel_pressure",
         "Pressure under the keel; level line: 1D, Eq. (27)",
         _span([float(end) for along in x for end in (along[0], along[-1])], 0.0),
-        _span([0.0, *(float(v) for all_ in (*fields, *uniform) for v in np.quantile(all_, _SEEN))]),
+        _span([0.0, *(float(v) for field in fields for v in np.quantile(field, _SEEN)), *levels]),
         "x from the bow [m]",
         "pressure less hydrostatic [kPa]",
     )

@@ -40,6 +40,12 @@ class Recorder:
         ]
         self.stream.send_columns(path, indexes=indexes, columns=columns, strict=True)
 
+    def clear(self, path: str, axis: str, moment: float) -> None:
+        """Show nothing that moves of `path` and all below from `moment` [s] of one axis on."""
+        index = rr.TimeColumn(axis, duration=[moment])
+        columns = rr.Clear.columns(is_recursive=[True])
+        self.stream.send_columns(path, indexes=[index], columns=columns, strict=True)
+
     def frames(self, path: str, clock: Clock, columns: Callable[[slice], Iterable[Any]]) -> None:
         """Rows too big for one piece; `columns` makes those of a slice of `clock`."""
         starts = range(0, len(clock.time), _BATCH)

@@ -16,12 +16,15 @@ from squat.piston.piston import Oscillator
 from squat.quantities import Vector
 from squat.records.piston_kinds import PISTON
 from squat.records.transient_kinds import TRANSIENT
+from squat.replay.places import MOVING, file_of
 from squat.water import Water
 
 _SNAPSHOT = {
     **dict.fromkeys(("x", "z", "velocity_x", "velocity_z", "pressure"), ("time", "node")),
     "face_node": ("face", "corner"),
 }
+_WELL = ("completed", "converged")
+"""What a run's status is that went on to its last step."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +106,18 @@ class Run:
         end = self.failure or self.steps.at([-1])
         return self.clock(np.unique([self.steps.time[0], end.time[0]]))
 
+    @property
+    def ended(self) -> str:
+        """How the run ended, and when: `diverged at 0 s`; `ends at 9 s` of one that went well."""
+        status = str(self.data.attrs["status"])
+        how = "ends" if status in _WELL else status
+        return f"{how} at {self.steps.time[-1]:.4g} s"
+
+    def told(self, title: str) -> str:
+        """`title` of a picture with the run's label and end; of a single run an early one only."""
+        early = self.data.attrs["status"] not in _WELL
+        return self.said(f"{title}; {self.ended}" if self.label or early else title)
+
     def has(self, *names: str) -> bool:
         """Whether the record holds all these variables."""
         return all(name in self.data.variables for name in names)
@@ -113,14 +128,15 @@ class Run:
 
 
 def load(files: tuple[str, ...]) -> tuple[Run, ...]:
-    """Runs of one kind.
+    """Runs of one kind, from `files` or from folders that hold one each.
 
     Raises
     ------
     InputError
-        Naming the file that is absent, broken, foreign, or of another kind than the first.
+        Naming the file that is absent, broken, foreign, or of another kind than the first, or the
+        folder that holds no run or several.
     """
-    paths = [Path(name) for name in files]
+    paths = [file_of(Path(name)) for name in files]
     runs = tuple(_load(path, label) for path, label in zip(paths, labels(paths), strict=True))
     for run in runs[1:]:
         if run.kind != runs[0].kind:
@@ -174,7 +190,7 @@ def _spoken(override: str) -> str:
 def _load(path: Path, label: str) -> Run:
     data = records.read(path)
     kind = str(data.attrs["schema"]).split("/")[1]
-    if kind not in (TRANSIENT.name, PISTON.name):
+    if kind not in MOVING:
         raise InputError(
             f"{path}: holds {kind!r}, which does not move; "
             "give a file of squat task=transient or task=piston"

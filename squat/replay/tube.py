@@ -42,7 +42,7 @@ def _picture(recorder: Recorder, run: Run, aspect: float) -> rrb.View:
     half = (_APART / 2 + _BORE) * length
     low, high = np.array([-half, -0.1 * length]), np.array([half, (_WALL + 0.1) * length])
     title = f"U-tube, motion x {scale:g}; orange: exact piston, Eq. (5)"
-    return scene.section_view(f"/{origin}", run.said(title), low, high, aspect)
+    return scene.section_view(f"/{origin}", run.told(title), low, high, aspect)
 
 
 def _u(length: float, outside: float, left: Vector, right: Vector) -> Vector:

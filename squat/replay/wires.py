@@ -28,7 +28,8 @@ def draw_wires(recorder: Recorder, path: str, run: Run, points: Vector) -> None:
         maps, shifts = affine(points[:, nodes])
         origin = f"{path}/zone_{number}"
         strips = rr.LineStrips3D.columns(strips=list(scene.placed(points[0, lines], layer)))
-        recorder.static(origin, strips.partition([len(lines)]))
+        # At the start, not at all times: what is static could not be cleared after the run's end.
+        recorder.rows(origin, clock.at([0]), strips.partition([len(lines)]))
         style = rr.LineStrips3D.columns(
             colors=rgba(_COLOR), radii=rr.Radius.ui_points([_POINTS / 2])
         )

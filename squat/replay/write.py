@@ -16,6 +16,7 @@ from squat.replay import (  # noqa: F401  (register panels)
     tube,
 )
 from squat.replay.case import ReplayCase
+from squat.replay.ends import clear_ended
 from squat.replay.layout import blueprint
 from squat.replay.panels import draw_all
 from squat.replay.recorder import Recorder
@@ -40,7 +41,9 @@ def write_replay(case: ReplayCase, path: Path) -> None:
         stream.save(temporary)
         stream.send_recording_name(" and ".join(run.label or run.path.stem for run in runs))
         stream.send_property("provenance", stamp(runs))
-        views = draw_all(Recorder(stream), runs)
+        recorder = Recorder(stream)
+        views = draw_all(recorder, runs)
+        clear_ended(recorder, runs)
         stream.send_blueprint(blueprint(views, runs))
         stream.flush()
         stream.disconnect()

@@ -43,6 +43,35 @@ def test_names_in_the_legend_are_short_and_have_room_above_the_curves(record, en
     assert (1.0 - low) / (high - low) <= 1 - 0.24 + 1e-12
 
 
+def test_a_plot_without_legend_above_has_the_margins_of_the_viewer():
+    heave = np.array([-6.5, -0.1])
+    assert heave[0] + np.ptp(heave) != heave[1]  # rounding must not count as a range of its own
+    assert _axis([("w", heave)], 0.0, room=0.0) is None
+
+
+def test_roots_that_runs_share_are_drawn_as_those_of_a_single_run(record, entities, ship, bare):
+    together, single = entities(record(ship, bare)), entities(record(ship))
+    for name in ("stable_root", "unstable_root"):
+        alone = single[f"plots/heave/{name}"].rows
+        for run in ("ship", "bare"):
+            here = together[f"{run}/plots/heave/{name}"].rows
+            assert (here["names"], here["colors"]) == (alone["names"], alone["colors"])
+
+
+def test_roots_that_differ_are_told_apart_by_run_and_kind(record, entities, ship, kept):
+    found = entities(record(ship, kept))
+    lines = [
+        found[f"{run}/plots/heave/{name}"].rows
+        for run in ("ship", "kept")
+        for name in ("heave", "stable_root", "unstable_root")
+    ]
+    kinds = ("", ": stable root", ": unstable root")
+    assert [rows["names"][0][0] for rows in lines] == [
+        f"{run}{kind}" for run in ("ship", "kept") for kind in kinds
+    ]
+    assert len({rows["colors"][0][0] for rows in lines}) == len(lines)
+
+
 def test_labels_say_what_differs_and_no_more():
     def named(*paths):
         return labels([Path(path) for path in paths])

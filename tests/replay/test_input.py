@@ -11,6 +11,7 @@ from squat.cli.arguments import readable
 from squat.errors import InputError
 from squat.records.transient_kinds import TRANSIENT
 from squat.replay.case import ReplayCase
+from squat.replay.runs import load
 from squat.replay.write import write_replay
 
 
@@ -33,6 +34,26 @@ def test_broken_and_foreign_files_are_named(tmp_path, ship, tube):
     assert re.search(
         r"tube.nc: holds 'piston', .*ship.nc 'transient'", refused(tmp_path, ship, tube)
     )
+
+
+def test_a_folder_that_holds_one_run_stands_for_it(tmp_path, ship, tube, record, entities):
+    for name, path in (("first", ship), ("other", tube)):
+        (tmp_path / name / "deep").mkdir(parents=True)
+        (tmp_path / name / "deep" / "run.nc").write_bytes(path.read_bytes())
+    (run,) = load((str(tmp_path / "first"),))
+    assert run.path == tmp_path / "first" / "deep" / "run.nc"
+    assert "plots/heave/heave" in entities(record(tmp_path / "first"))
+    assert re.search("holds 'piston'", refused(tmp_path, tmp_path / "first", tmp_path / "other"))
+
+
+def test_a_folder_of_several_runs_or_of_none_is_named(tmp_path, ship, tube):
+    for name, path in (("a.nc", ship), ("b.nc", tube)):
+        (tmp_path / name).write_bytes(path.read_bytes())
+    assert refused(tmp_path, tmp_path) == (
+        f"run={tmp_path}: is a folder of 2 runs; give some of its .nc files, as run=A.nc,B.nc"
+    )
+    (tmp_path / "none").mkdir()
+    assert "none: is a folder without a run" in refused(tmp_path, tmp_path / "none")
 
 
 def test_snapshots_that_lack_a_variable_are_named(tmp_path, ship):

@@ -1,0 +1,22 @@
+"""A run that has ended stands nowhere while others of its recording go on."""
+
+from squat.replay.recorder import Recorder, entity
+from squat.replay.runs import Clock, Run
+
+_STEP = 0.01  # of a step: the row of the end itself is seen
+
+
+def clear_ended(recorder: Recorder, runs: tuple[Run, ...]) -> None:
+    """Clear what moves of each run right after its end, on the axes on which another goes on."""
+    time, phase = (max(ends) for ends in zip(*(_ends(run.span) for run in runs), strict=True))
+    for run in runs:
+        after = run.clock(run.span.time[-1:] + _STEP * float(run.data["time_step"]))
+        for axis, moment, last in zip(
+            ("sim_time", "phase"), _ends(after), (time, phase), strict=True
+        ):
+            if moment < last:
+                recorder.clear(entity(run), axis, moment)
+
+
+def _ends(clock: Clock) -> tuple[float, float]:
+    return float(clock.time[-1]), float(clock.phase[-1])
