@@ -51,11 +51,11 @@ class CatalogueCase:
 def write_catalogue(case: CatalogueCase, path: Path) -> None:
     """Write the chosen rows with all columns to `path`; print them with the chosen columns."""
     frame = select(find(places(case.runs)), case.where, case.sort)
+    parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
+    tables = [columns(part, case.columns) for part in parts]
     with records.atomic(path) as temporary:
         frame.to_parquet(temporary, index=False)
-    parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
-    for part in parts:
-        shown = columns(part, case.columns)
+    for shown in tables:
         fitting = shown if case.columns or not sys.stdout.isatty() else _fitting(shown)
         print(_text(fitting))
         if left := shown.columns[fitting.shape[1] :].tolist():

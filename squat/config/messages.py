@@ -27,6 +27,10 @@ _KNOWN = {
 }
 
 
+_REPEATED = 100
+"""Letters of an argument up to which a message shows it a second time, in quotes."""
+
+
 def condense(error: Exception, arguments: Sequence[str]) -> str:
     """One line for `error`: key, value, remedy; `arguments` are what was typed."""
     text = str(error)
@@ -50,13 +54,14 @@ def condense(error: Exception, arguments: Sequence[str]) -> str:
 def _unread(typed: str) -> str:
     """What to say of an argument that is not of Hydra's grammar: how its value is quoted."""
     key, _, value = typed.partition("=")
-    advice = f"{typed}: cannot be read; give KEY=VALUE"
+    advice = f"{_short(typed)}: cannot be read; give KEY=VALUE"
     if not (key and value):
         return advice
     if value.startswith(("[", "{")):
         return f"{advice}, its brackets closed and its texts in quotes"
     whole = shlex.quote(f"{key}={quoted(value)}")
-    return f"{advice}, VALUE in quotes within those of the shell: {whole}"
+    shown = f": {whole}" if len(whole) <= _REPEATED else ""
+    return f"{advice}, VALUE in quotes within those of the shell{shown}"
 
 
 def _typed(key: str, arguments: Sequence[str]) -> str:

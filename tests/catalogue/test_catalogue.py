@@ -78,6 +78,13 @@ def test_a_name_alone_is_a_list_of_one(runs, tmp_path, capsys):
     assert capsys.readouterr().out.split()[:3] == ["status", "diverged", "converged"]
 
 
+def test_a_column_that_no_run_has_leaves_no_table_behind(runs, tmp_path):
+    case = validate(compose("catalogue", f"runs={runs}", "columns=speed")).case
+    with pytest.raises(InputError, match="columns=speed: no run has it"):
+        write_catalogue(case, tmp_path / "c.parquet")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_condition_on_what_some_runs_lack_leaves_these_out(runs):
     assert len(select(find([runs]), "scheme.str.contains('stand')")) == len(RATIOS)
 

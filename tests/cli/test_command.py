@@ -34,6 +34,11 @@ from squat.records import read
             "squat: out=a=b.nc: cannot be read; give KEY=VALUE, VALUE in quotes within those of "
             """the shell: 'out="a=b.nc"'""",
         ),
+        (
+            ["task=piston", f"out={200 * 'a'}=b"],
+            f"squat: out={200 * 'a'}=b: cannot be read; give KEY=VALUE, VALUE in quotes within "
+            "those of the shell\n",
+        ),
         (["task=piston", "out=a.csv"], "squat: out=a.csv: must end in .nc;"),
         (["task=piston", "piston=null"], "squat: Config group override must be"),
         (["task=piston", "accelerator=foo"], "squat: accelerator=foo: unknown; give one of"),
