@@ -1,6 +1,7 @@
 """What a reader would complain of: labels over lines, titles cut off."""
 
 import json
+from inspect import signature
 from itertools import combinations
 
 import numpy as np
@@ -21,7 +22,7 @@ from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
-from squat.figures.write import FIGURES, FigureCase
+from squat.figures.write import FIGURES, FigureCase, catalogue
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 from squat.stability.portrait import run as stability
@@ -53,6 +54,27 @@ def test_isovalues_under_a_long_hull_have_their_numbers(case):
     for axes in fig7(data).axes:
         assert sum(0 < text.get_position()[0] < 110 for text in axes.texts) > 4
         assert axes.xaxis.get_tick_params()["labelbottom"]
+
+
+SLAB = ("hull.length=190.0", "hull.draft=10.5", "channel.depth=13.0", "channel.upstream=190.0")
+
+
+@pytest.mark.parametrize("more", [("hull=fig7", "channel=fig7"), SLAB])
+def test_numbers_of_isolines_are_whole_and_read_from_one_side(case, more):
+    figure = fig7(added_mass(case("added_mass", "mesh=coarse", *more)))
+    FigureCanvasAgg(figure).draw()
+    for axes in figure.axes:
+        boxes = [text.get_window_extent() for text in axes.texts if "×" not in text.get_text()]
+        assert len(boxes) > 8
+        assert all(axes.bbox.y0 < box.y0 and box.y1 < axes.bbox.y1 for box in boxes)
+        rim = [axes.transData.transform(line.get_xydata()) for line in axes.lines]
+        rim = np.vstack([np.linspace(*edge, 20) for edge in rim])
+        for box in boxes:
+            inside = (rim > (box.x0, box.y0)) & (rim < (box.x1, box.y1))
+            assert not inside.all(axis=1).any()
+        for text in axes.texts:
+            assert (text.get_rotation() + 80) % 360 < 180
+            assert text.get_text().strip() not in {"6", "9", "\N{MINUS SIGN}6", "\N{MINUS SIGN}9"}
 
 
 @pytest.mark.parametrize("more", [("hull=curve",), BARGE])
@@ -282,3 +304,17 @@ def test_the_list_of_figures_says_what_each_shows_and_of_which_task(monkeypatch,
     assert all(len(shows.split()) > 3 for *_, shows in rows)
     with pytest.raises(ValueError, match="figure=list tells what each shows"):
         FigureCase(figure="fig99", data="x.nc")
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_more_files_than_a_figure_draws_are_refused_and_the_list_tells_how_many(name):
+    draw, shown = FIGURES[name][1], catalogue().splitlines()[list(FIGURES).index(name)]
+    several = any(p.kind is p.VAR_POSITIONAL for p in signature(draw).parameters.values())
+    assert ("files]" in shown) == several
+    with pytest.raises(ValueError, match=f"figure={name}: draws .*, data names 9; give "):
+        FigureCase(figure=name, data=("x.nc",) * 9)
+    with pytest.raises(ValueError, match="data names 0; give "):
+        FigureCase(figure=name, data=())
+    if not several:
+        with pytest.raises(ValueError, match="draws one run, data names 2; give one file"):
+            FigureCase(figure=name, data=("safe.nc", "lost.nc"))
