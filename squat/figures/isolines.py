@@ -73,13 +73,14 @@ def _middle(places: Vector, angles: Vector, half: float) -> Vector:
 
 def _clearance(places: Vector, angles: Vector, half: float, obstacles: Vector) -> Vector:
     """Distance of such numbers from the nearest of `obstacles` (m, 2): (n,)."""
-    near, _ = cKDTree(obstacles).query(_middle(places, angles, half))
+    near = np.asarray(cKDTree(obstacles).query(_middle(places, angles, half))[0])
     return np.asarray(near.min(axis=1, initial=np.inf))
 
 
 def _write(axes: Axes, text: str, place: Vector, angle: float) -> None:
     axes.text(
-        *place,
+        float(place[0]),
+        float(place[1]),
         f"{_GAP}{text}{_GAP}",
         size=_SIZE,
         rotation=angle,

@@ -1,11 +1,13 @@
 """What a reader would complain of: labels over lines, titles cut off."""
 
 import json
+import math
 from inspect import signature
 from itertools import combinations
 
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat import records, transient
@@ -22,9 +24,11 @@ from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
+from squat.figures.uneven import uneven_bottom
 from squat.figures.write import FIGURES, FigureCase, catalogue
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
+from squat.records.bottom_kinds import UNEVEN_BOTTOM
 from squat.stability.portrait import run as stability
 from squat.stability.run import run as equilibria
 
@@ -318,3 +322,27 @@ def test_more_files_than_a_figure_draws_are_refused_and_the_list_tells_how_many(
     if not several:
         with pytest.raises(ValueError, match="draws one run, data names 2; give one file"):
             FigureCase(figure=name, data=("safe.nc", "lost.nc"))
+
+
+def _shelf():
+    """A picture of made loads of a long ship, over three places, two gaps and three shelves."""
+    sizes = {"steepness": 1, "place": 3, "gap_over_length": 2, "rise": 3}
+    values = {
+        name: (variable.dims, np.linspace(1.0, 2.0, math.prod(sizes[d] for d in variable.dims))
+               .reshape([sizes[d] for d in variable.dims]))
+        for name, variable in UNEVEN_BOTTOM.variables.items()
+    }  # fmt: skip
+    data = xr.Dataset(values).assign(length=190.0, clearance=2.5, shelf_rise=0.8)
+    missing = {name: data[name] * np.nan for name in data if "complete" in name}
+    return uneven_bottom(data.assign(missing))
+
+
+def test_an_uneven_bottom_is_stretched_to_be_seen_and_its_keys_name_what_is_drawn():
+    sketch, force, _, errors, speeds = _shelf().axes
+    assert f"heights × {sketch.get_aspect():g}" in [text.get_text() for text in sketch.texts]
+    assert sketch.get_aspect() > 10
+    names = [[t.get_text() for t in a.get_legend().get_texts()] for a in (force, errors, speeds)]
+    assert names[0] == ["steepness 1", "2D", "1D, local depth"]
+    assert names[2] == ["2D", "1D, local depth"]
+    assert not any("curvature" in name for name in names[1])
+    assert len(names[1]) == 4
