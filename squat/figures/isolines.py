@@ -4,12 +4,12 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from scipy.spatial import cKDTree
 
 from squat.quantities import Vector
 
 _SIZE = 7.0  # of the digits, pt
 _STEP = 2.0  # between points of a line that distances are measured from, pt
+_APART = 2  # every which of these points is tried for a number
 _LETTER = 0.6  # width of a digit over its size
 _GAP = "\N{SIX-PER-EM SPACE}"  # in the line before and behind a number
 _ROOM = 0.7  # from a number's middle line to anything else, over its size
@@ -29,19 +29,21 @@ def label(axes: Axes, lines: Sequence[tuple[float, Vector]], rim: Vector, scale:
     `lines` (value, (n, 2)) and the boundary's edges `rim` (k, 2, 2) in m; `scale` (2,) in pt/m.
     """
     drawn = [_dense(line * scale) for _, line in lines]
-    taken = [_dense(edge * scale) for edge in rim]
     window = np.array(axes.get_xlim()) * scale[0]
+    edges = [_dense(edge * scale) for edge in rim]
+    taken = [edge for edge in edges if window[0] < edge[-1, 0] < window[1]]
     for n, (value, _) in enumerate(lines):
         text = number(value)
         half = _LETTER * _SIZE * (len(text) + 1) / 2
         obstacles = np.vstack([*taken, *drawn[:n], *drawn[n + 1 :]])
-        inside = (drawn[n][:, 0] > window[0] + half) & (drawn[n][:, 0] < window[1] - half)
-        for angles in (_slopes(drawn[n], half), np.zeros(len(drawn[n]))):
+        x = drawn[n][:, 0]
+        inside = np.flatnonzero((x > window[0] + half) & (x < window[1] - half))[::_APART]
+        for angles in (_slopes(drawn[n], half), np.zeros(len(x))):
             away = _clearance(drawn[n][inside], angles[inside], half, obstacles)
             if away.max(initial=0) > _ROOM * _SIZE:
-                place, angle = (part[inside][away.argmax()] for part in (drawn[n], angles))
+                place, angle = (part[inside[away.argmax()]] for part in (drawn[n], angles))
                 _write(axes, text, place / scale, float(angle))
-                taken.append(_middle(place[None], np.array([angle]), half)[0])
+                taken.append(_middle(place, float(angle), half))
                 break
 
 
@@ -61,20 +63,22 @@ def _slopes(line: Vector, half: float) -> Vector:
     return np.asarray((np.degrees(np.arctan2(dy, dx)) - _STEEPEST) % 180 + _STEEPEST)
 
 
-def _middle(places: Vector, angles: Vector, half: float) -> Vector:
-    """Points along the middle of numbers at `places` (n, 2), turned by `angles` (n,): (n, k, 2)."""
+def _middle(place: Vector, angle: float, half: float) -> Vector:
+    """Points along the middle of a number at `place` (2,), turned by `angle`: (k, 2)."""
     steps = np.linspace(-half, half, 2 + int(2 * half / _STEP))
-    turned = np.radians(angles)
-    return np.asarray(
-        places[:, None]
-        + steps[:, None] * np.stack([np.cos(turned), np.sin(turned)], axis=-1)[:, None]
-    )
+    turned = np.radians(angle)
+    return np.asarray(place + steps[:, None] * [np.cos(turned), np.sin(turned)])
 
 
 def _clearance(places: Vector, angles: Vector, half: float, obstacles: Vector) -> Vector:
-    """Distance of such numbers from the nearest of `obstacles` (m, 2): (n,)."""
-    near = np.asarray(cKDTree(obstacles).query(_middle(places, angles, half))[0])
-    return np.asarray(near.min(axis=1, initial=np.inf))
+    """Distance of the middles of such numbers, (n, 2) and (n,), from the nearest obstacle: (n,)."""
+    found = np.full(len(places), np.inf)
+    for n, (place, turned) in enumerate(zip(places, np.radians(angles), strict=True)):
+        way = np.array([np.cos(turned), np.sin(turned)])
+        away = obstacles - place
+        beyond = np.maximum(np.abs(away @ way) - half, 0)
+        found[n] = np.hypot(beyond, away @ [-way[1], way[0]]).min()
+    return found
 
 
 def _write(axes: Axes, text: str, place: Vector, angle: float) -> None:
