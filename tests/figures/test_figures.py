@@ -24,11 +24,13 @@ from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
+from squat.figures.trim import filled
 from squat.figures.uneven import uneven_bottom
 from squat.figures.write import FIGURES, FigureCase, catalogue
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
 from squat.records.bottom_kinds import UNEVEN_BOTTOM
+from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.portrait import run as stability
 from squat.stability.run import run as equilibria
 
@@ -179,10 +181,36 @@ def test_a_run_without_an_accepted_step_says_so(sailed):
     run = sailed("current=3", "coupling=printed_standard")
     assert run.sizes["time"] == 1
     left, right = fig11(run).axes
-    assert left.get_title(loc="left") == "$V_\\infty$ = 3 m/s: diverged"
+    assert left.get_title(loc="left").startswith("$V_\\infty$ = 3 m/s: diverged; no root of Eq.")
     assert [text.get_text() for text in right.texts] == [
         "no step was accepted:\nthe first diverged"
     ]
+
+
+def test_roots_of_eq_27_are_named_where_they_are_and_for_the_box_that_they_are_of(case, sailed):
+    slow, fast = sailed("current=1"), sailed("current=3")
+    names = [text.get_text() for text in fig11(fast).legends[0].get_texts()]
+    assert names == ["heave $w$"]
+    ship = case("transient")
+    limit = OneDimensionalModel(ship.hull, ship.channel, ship.water).squat_speed()
+    for figure in (fig11(fast, slow), fig11(slow, fast)):
+        names = [text.get_text() for text in figure.legends[0].get_texts()]
+        assert names == ["heave $w$", "stable root, Eq. (27)", "unstable root, Eq. (27)"]
+        ends = {axes.get_title(loc="left").partition(": ")[2] for axes in figure.axes}
+        above = f"completed; no root of Eq. (27) above {limit.speed:.3f} m/s"
+        assert ends == {"", "completed", above}
+    raked = sailed("current=1", "hull=lewis")
+    names = [text.get_text() for text in fig11(raked).legends[0].get_texts()]
+    assert names[1] == "stable root of Eq. (27), a box of this length and draft"
+
+
+def test_time_in_seconds_is_above_the_phase(sailed):
+    run = sailed("current=1")
+    figure = fig11(run)
+    FigureCanvasAgg(figure).draw()
+    (seconds,) = figure.axes[0].child_axes
+    assert seconds.get_xlim()[1] == pytest.approx(float(run["time"][-1]))
+    assert seconds.get_xticklabels()[0].get_text() == "0 s"
 
 
 def test_pitch_has_a_row_and_titles_tell_what_differs(sailed):
@@ -346,3 +374,11 @@ def test_an_uneven_bottom_is_stretched_to_be_seen_and_its_keys_name_what_is_draw
     assert names[2] == ["2D", "1D, local depth"]
     assert not any("curvature" in name for name in names[1])
     assert len(names[1]) == 4
+
+
+def test_a_branch_from_rest_follows_the_square_of_the_current_between_its_points():
+    speed = np.array([0.0, 0.9, 1.3, 1.6])
+    x, w = filled(speed, -(speed**2))
+    assert np.diff(x).max() < 0.4
+    assert np.allclose(w, -(x**2))
+    assert set(speed) <= set(np.round(x, 12))
