@@ -8,10 +8,12 @@ from matplotlib.ticker import MaxNLocator, NullFormatter
 from matplotlib.tri import Triangulation
 
 from squat import published
+from squat.figures import isolines
 from squat.figures.style import BLUE, GREEN, PALETTE, RED, depth_axis, single, stretch
 
 _LONGEST = 4.5
 """Width over height of a panel of Fig. 7 that is drawn with equal scales, about."""
+_PANEL = 7.6  # width of a panel of Fig. 7, in
 _TITLES = {"surge": "surge", "heave": "heave", "pitch": "pitch (bow down)"}
 
 
@@ -20,7 +22,7 @@ def fig7(data: xr.Dataset) -> Figure:
     grid = Triangulation(data["node_x"], data["node_z"], data["face_node"])
     left, right = _around(np.asarray(grid.x), np.asarray(grid.y))
     depth = float(np.ptp(grid.y))
-    high = 7.6 * _times(right - left, depth) * depth / (right - left)
+    high = _PANEL * _times(right - left, depth) * depth / (right - left)
     figure = Figure(figsize=(8.4, 3 * (high + 0.75) + 0.3), layout="constrained")
     panels = figure.subplots(3, 1, sharex=True)
     for axes, mode in zip(panels, _TITLES, strict=True):
@@ -35,25 +37,26 @@ def _times(width: float, depth: float) -> int:
 
 
 def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str) -> None:
-    unit = "t/m$^2$" if mode != "pitch" else "t/m"
-    values = pressure / 1000
-    levels = np.asarray(MaxNLocator(9).tick_values(0, np.abs(values).max()))[1:]
-    edges = grid.edges[np.flatnonzero(_outer(grid))]
     x, z = np.asarray(grid.x), np.asarray(grid.y)
     window = _around(x, z)
     times = _times(window[1] - window[0], float(np.ptp(z)))
-    scale = np.array([1.0, times])
-    taken = scale * np.column_stack([x, z])[np.unique(edges)]
-    for signed, style in ((levels, "solid"), (-levels[::-1], "dashed")):
-        lines = axes.tricontour(grid, values, signed, colors="k", linestyles=style, linewidths=0.9)
-        drawn = [[scale * line for line in level] for level in lines.allsegs]
-        places, taken = _free_places(drawn, taken, window)
-        if len(places):
-            axes.clabel(lines, fmt="%g", fontsize=7, manual=[(x, z / times) for x, z in places])
+    power = 1000 if np.abs(pressure).max() >= 1e6 else 1
+    values = pressure / (1000 * power)
+    levels = np.asarray(MaxNLocator(9).tick_values(0, np.abs(values).max()))[1:]
+    edges = grid.edges[np.flatnonzero(_outer(grid))]
     axes.plot(x[edges].T, z[edges].T, color=BLUE, lw=1.2)
     axes.set_xlim(window)
+    drawn: list[tuple[float, np.ndarray]] = []
+    for signed, style in ((levels, "solid"), (-levels[::-1], "dashed")):
+        lines = axes.tricontour(grid, values, signed, colors="k", linestyles=style, linewidths=0.9)
+        pairs = zip(signed.tolist(), lines.allsegs, strict=True)
+        drawn += [(level, line) for level, parts in pairs for line in parts if len(line)]
+    rim = np.stack([x[edges], z[edges]], axis=-1)
+    scale = 72 * _PANEL / (window[1] - window[0]) * np.array([1.0, times])
+    isolines.label(axes, drawn, rim, scale)
     depth_axis(axes, times)
     axes.tick_params(labelbottom=True)
+    unit = f"{power} " * (power > 1) + ("t/m$^2$" if mode != "pitch" else "t/m")
     axes.set_title(f"{_TITLES[mode]}: $p$ per unit acceleration [{unit}]", fontsize=10)
     axes.grid(visible=False)
 
@@ -64,27 +67,6 @@ def _around(x: np.ndarray, z: np.ndarray) -> tuple[float, float]:
     gap = int(np.argmax(np.diff(surface)))
     room = 2 * np.ptp(z)
     return max(x.min(), surface[gap] - room), min(x.max(), surface[gap + 1] + room)
-
-
-def _free_places(
-    lines: list[list[np.ndarray]], taken: np.ndarray, window: tuple[float, float]
-) -> tuple[list[tuple[float, float]], np.ndarray]:
-    """One place a line, farthest from the boundary and all other labels; none where crowded.
-
-    Heights of `lines` and of what is `taken` (n, 2) are as stretched.
-    """
-    places: list[tuple[float, float]] = []
-    room = 0.02 * (window[1] - window[0])
-    for line in (line for level in lines for line in level):
-        inside = line[(line[:, 0] > window[0] + room) & (line[:, 0] < window[1] - room)]
-        if len(inside) == 0:
-            continue
-        away = np.linalg.norm(inside[:, None] - taken[None], axis=2).min(axis=1)
-        best = int(np.argmax(away))
-        if away[best] > room:
-            places.append((float(inside[best, 0]), float(inside[best, 1])))
-            taken = np.vstack([taken, inside[best]])
-    return places, taken
 
 
 def _outer(grid: Triangulation) -> np.ndarray:

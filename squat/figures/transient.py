@@ -1,5 +1,6 @@
 """Figures 11 to 13: the coupled runs."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from squat.errors import InputError
 from squat.figures.labels import of_ships
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
 from squat.quantities import Vector
-from squat.stability.keel import keel_pressure, underside
+from squat.stability.keel import keel_pressure, squat_speed, underside
 
 _SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: corners are singular
 _FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
@@ -23,11 +24,17 @@ def fig11(*runs: xr.Dataset) -> Figure:
     plan: list[Any] = [
         [f"{name} {n}", f"iterations {n}"] for n, run in enumerate(runs) for name in _free(run)
     ]
-    figure = Figure(figsize=(9.0, 2.3 * len(plan) + 0.4), layout="constrained")
+    figure = Figure(figsize=(9.0, 2.5 * len(plan) + 0.6), layout="constrained")
     panels = figure.subplot_mosaic(plan)
+    root = _root(runs)
+    drawn: dict[str, Any] = {}
     for n, (run, label) in enumerate(zip(runs, of_ships(runs), strict=True)):
-        _heave(panels[f"heave {n}"], run)
-        panels[f"heave {n}"].set_title(f"{label}: {run.attrs['status']}", loc="left")
+        heave = panels[f"heave {n}"]
+        _heave(heave, run, root)
+        _seconds(heave, float(run["omega"]))
+        heave.set_title(f"{label}: {run.attrs['status']}{_rootless(run)}", loc="left")
+        handles, labels = heave.get_legend_handles_labels()
+        drawn |= dict(zip(labels, handles, strict=True))
         _iterations(panels[f"iterations {n}"], run)
         if f"pitch {n}" in panels:
             panels[f"pitch {n}"].plot(run["phase"], np.rad2deg(run["pitch"]), color=PURPLE)
@@ -37,8 +44,8 @@ def fig11(*runs: xr.Dataset) -> Figure:
         axes.set_xlim(0, end)
         if name in plan[-1]:
             axes.set_xlabel("$\\omega t$ [-]")
-    handles = panels["heave 0"].get_legend_handles_labels()
-    figure.legend(*handles, loc="outside upper center", ncols=3)
+    columns = 3 if root.endswith(")") else 1
+    figure.legend(list(drawn.values()), list(drawn), loc="outside upper center", ncols=columns)
     return figure
 
 
@@ -52,12 +59,37 @@ def _free(run: xr.Dataset) -> list[str]:
     return ["heave", "pitch"] if "pitch" in run.attrs["modes"].split() else ["heave"]
 
 
-def _heave(axes: Axes, run: xr.Dataset) -> None:
+def _root(runs: Sequence[xr.Dataset]) -> str:
+    """What to call a root of Eq. (27), which takes each of the hulls for a box."""
+    boxes = all(records.config_of(run)["hull"]["shape"] == "rectangle" for run in runs)
+    return "root, Eq. (27)" if boxes else "root of Eq. (27), a box of this length and draft"
+
+
+def _rootless(run: xr.Dataset) -> str:
+    """What to say of a run without a root of Eq. (27)."""
+    if np.isfinite(run["stable_root"]):
+        return ""
+    config = records.config_of(run)
+    depth, gravity = config["channel"]["depth"], config["water"]["gravity"]
+    limit = squat_speed(depth, depth - config["hull"]["draft"], gravity)
+    return f"; no root of Eq. (27) above {limit:.3f} m/s"
+
+
+def _seconds(axes: Axes, omega: float) -> None:
+    """Time along the top, `omega` [rad/s] in the phase below."""
+    both: Any = lambda phase: phase / omega, lambda time: time * omega
+    top = axes.secondary_xaxis("top", functions=both)
+    top.tick_params(labelsize=8)
+    top.xaxis.set_major_formatter("{x:g} s")
+
+
+def _heave(axes: Axes, run: xr.Dataset, called: str) -> None:
     start = "o" if run.sizes["time"] == 1 else None
     axes.plot(run["phase"], run["heave"], marker=start, color=BLUE, label="heave $w$")
     for name, color in (("stable", GREEN), ("unstable", RED)):
         root = float(run[f"{name}_root"])
-        axes.axhline(root, color=color, ls="--", lw=1, label=f"{name} root, Eq. (27)")
+        if np.isfinite(root):
+            axes.axhline(root, color=color, ls="--", lw=1, label=f"{name} {called}")
     axes.set_ylabel("$w$ [m]")
 
 

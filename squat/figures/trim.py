@@ -19,6 +19,7 @@ _LIMITS = (
 )
 _UNITS = {"heave": 1.0, "pitch": 180 / np.pi}
 _STABILITY = ("stable", "one direction unstable", "two directions unstable")
+_BETWEEN = 8  # parts of the line from one computed point to the next
 _BRANCHES: Any = (
     # The wide one lies below: where both are one branch, neither hides the other.
     ("", "from rest", {"color": BLUE, "lw": 1.5, "zorder": 2.2}),
@@ -56,13 +57,25 @@ def _equilibria(
     """One branch, its line broken by how many directions are unstable, as the dataset counts."""
     speed, values = data[f"{prefix}current"].values, _UNITS[name] * data[f"{prefix}{name}"].values
     if f"{prefix}unstable" not in data:  # an older dataset
-        axes.plot(speed, values, "-.", label=f"{branch}, stability not recorded", **look)
+        axes.plot(*filled(speed, values), "-.", label=f"{branch}, stability not recorded", **look)
         return
     drawn = set()
     for count, part in _stretches(data[f"{prefix}unstable"].values):
         label = None if count in drawn else f"{branch}, {_STABILITY[count]}"
-        axes.plot(speed[part], values[part], ("-", "--", ":")[count], label=label, **look)
+        line = filled(speed[part], values[part])
+        axes.plot(*line, ("-", "--", ":")[count], label=label, **look)
         drawn.add(count)
+
+
+def filled(speed: Vector, values: Vector) -> tuple[Vector, Vector]:
+    """The line through computed points, straight over the square of the current between them.
+
+    So is the squat of slow ships, and the points next to rest are far apart.
+    """
+    point = np.arange(len(speed))
+    between = np.linspace(0, len(speed) - 1, _BETWEEN * (len(speed) - 1) + 1)
+    squares = np.interp(between, point, speed**2)
+    return np.sqrt(squares), np.asarray(np.interp(between, point, values))
 
 
 def _stretches(counts: Vector) -> Iterator[tuple[int, slice]]:

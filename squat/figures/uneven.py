@@ -9,9 +9,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from squat.figures.style import BLUE, GREEN, ORANGE, RED
+from squat.figures.style import BLUE, GREEN, ORANGE, RED, depth_axis, stretch
+from squat.quantities import Vector
 
 _STYLES = (("", "-"), ("_1d", "--"), ("_complete", ":"))
+_LABELS = {"": "2D", "_1d": "1D, local depth", "_complete": "1D, ends and curvature"}
+_POINTS = {"": ".", "_1d": "x", "_complete": "+"}
+_LONGEST = 5.0
+"""Width over height of the sketch that is drawn with equal scales, about."""
 _COLORS = (BLUE, ORANGE, GREEN, RED)
 
 
@@ -34,7 +39,7 @@ def uneven_bottom(data: xr.Dataset) -> Figure:
 
 
 def _profile(axes: Axes, data: xr.Dataset) -> None:
-    """Ship and ramps to scale, the ramp's middle under mid-length."""
+    """Ship and ramps to scale, heights stretched, the ramp's middle under mid-length."""
     length, clearance = float(data["length"]), float(data["clearance"])
     rise = float(data["shelf_rise"])
     keel = [-length / 2, -length / 2, length / 2, length / 2]
@@ -47,8 +52,19 @@ def _profile(axes: Axes, data: xr.Dataset) -> None:
     axes.annotate("", (-0.75 * length, 1.5 * clearance), (-1.2 * length, 1.5 * clearance),
                   arrowprops={"arrowstyle": "->"})  # fmt: skip
     axes.text(-1.2 * length, 1.7 * clearance, "current $V$", va="bottom", fontsize=8)
-    axes.set(xlim=(-reach, reach), aspect="equal")
+    axes.set_xlim(-reach, reach)
+    depth_axis(axes, stretch(2 * reach, 2.4 * clearance, _LONGEST))
     axes.set_axis_off()
+
+
+def _known(data: xr.Dataset, name: str) -> bool:
+    """Whether there is any number of `name` to draw."""
+    return bool(np.isfinite(data[name].values).any())
+
+
+def _alone(suffix: str, values: Vector) -> str | None:
+    """The marker of a line of one point, which would not be seen."""
+    return _POINTS[suffix] if len(values) == 1 else None
 
 
 def _passing(axes: Axes, data: xr.Dataset, name: str, label: str, unit: float) -> None:
@@ -56,7 +72,7 @@ def _passing(axes: Axes, data: xr.Dataset, name: str, label: str, unit: float) -
     for row, color in zip(range(data.sizes["steepness"]), _COLORS, strict=False):
         for suffix, style in _STYLES:
             values = data[f"{name}{suffix}"].values[row] / unit
-            axes.plot(place, values, style, color=color, lw=1.5)
+            axes.plot(place, values, style, marker=_alone(suffix, place), color=color, lw=1.5)
     axes.axvspan(0, 1, color="0.93", zorder=0, lw=0)
     axes.set_ylabel(label)
 
@@ -66,10 +82,10 @@ def _legend(axes: Axes, data: xr.Dataset) -> None:
         Line2D([], [], color=color, label=f"steepness {steepness:g}")
         for steepness, color in zip(data["steepness"].values, _COLORS, strict=False)
     ]
-    labels = "2D", "1D, local depth", "1D, ends and curvature"
     lines += [
-        Line2D([], [], color="k", ls=style, label=label)
-        for (_, style), label in zip(_STYLES, labels, strict=True)
+        Line2D([], [], color="k", ls=style, label=_LABELS[suffix])
+        for suffix, style in _STYLES
+        if _known(data, f"force{suffix}")
     ]
     axes.legend(handles=lines, fontsize=8)
 
@@ -80,13 +96,13 @@ def _errors(axes: Axes, data: xr.Dataset) -> None:
     for name, color, mark in (("force", BLUE, "o"), ("moment", ORANGE, "s")):
         exact = data[f"slender_{name}"].values
         for suffix, style in _STYLES[1:]:
+            if not _known(data, f"slender_{name}{suffix}"):
+                continue
             error = np.abs(data[f"slender_{name}{suffix}"].values / exact - 1)
             fill = color if suffix == "_1d" else "none"
-            axes.loglog(gap, error, style, marker=mark, mfc=fill, color=color,
-                        label=f"{name}, {_NAMES[suffix]}")  # fmt: skip
-        noise = data[f"slender_{name}_error"].values / np.abs(exact)
-        axes.loglog(gap, noise, color="0.6", lw=1, label="error of the 2D values" * (mark == "s"))
-    axes.loglog(gap, 4 / np.pi * gap, "k-", lw=0.8, label=r"$4h/(\pi L)$")
+            label = f"{name}, {_LABELS[suffix].removeprefix('1D, ')}"
+            axes.loglog(gap, error, style, marker=mark, mfc=fill, color=color, label=label)
+    _measures(axes, data)
     axes.set(xlabel="clearance over length, $h/L$", ylabel="relative error of 1D")
     axes.xaxis.set_major_locator(FixedLocator(gap.tolist()))
     axes.xaxis.set_major_formatter("{x:g}")
@@ -94,12 +110,28 @@ def _errors(axes: Axes, data: xr.Dataset) -> None:
     axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(0.0, 0.5))
 
 
-_NAMES = {"_1d": "local depth", "_complete": "ends and curvature"}
+def _measures(axes: Axes, data: xr.Dataset) -> None:
+    """What the errors are measured by: those of the 2D values and the theory's, where lines are."""
+    gap = data["gap_over_length"].values
+    if len(gap) == 1:
+        return
+    label: str | None = "error of the 2D values"
+    for name in ("slender_force", "slender_moment"):
+        if _known(data, f"{name}_error"):
+            noise = data[f"{name}_error"].values / np.abs(data[name].values)
+            axes.loglog(gap, noise, color="0.6", lw=1, label=label)
+            label = None
+    axes.loglog(gap, 4 / np.pi * gap, "k-", lw=0.8, label=r"$4h/(\pi L)$")
 
 
 def _limits(axes: Axes, data: xr.Dataset) -> None:
     """Squat speeds over the height of the shelf."""
     share = data["rise"].values / float(data["clearance"])
     for suffix, style in _STYLES:
-        axes.plot(share, data[f"squat_speed{suffix}"], style, marker="." * (not suffix), color=BLUE)
-    axes.set(xlabel="height of the shelf over the clearance", ylabel="squat speed [m/s]", ylim=0)
+        if _known(data, f"squat_speed{suffix}"):
+            mark = _alone(suffix, share) or ("" if suffix else ".")
+            axes.plot(share, data[f"squat_speed{suffix}"], style, marker=mark, color=BLUE,
+                      label=_LABELS[suffix])  # fmt: skip
+    axes.set(xlabel="height of the shelf over the clearance", ylabel="squat speed [m/s]")
+    axes.set_ylim(0, 1.08 * axes.dataLim.y1)
+    axes.legend(fontsize=8, loc="lower left")

@@ -2,11 +2,9 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
-from pydantic import Field
 from pydantic.dataclasses import dataclass
 
 from squat import records
@@ -65,6 +63,8 @@ FIGURES: dict[str, tuple[Kind, Callable[..., Figure]]] = {
     "trim": (TRIM, trim),
     "uneven_bottom": (UNEVEN_BOTTOM, uneven_bottom),
 }
+_MOST = {"fig11": 8, "fig13": 3, "energy_audit": 7}
+"""Runs up to which these draw several, told apart by rows, dashes and colours; the others one."""
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -76,11 +76,11 @@ class FigureCase:
     figure
         Name of one of `FIGURES`.
     data
-        Path of the dataset, or of several where the figure compares runs.
+        Path of the dataset, or of several where the figure compares runs, up to `_MOST`.
     """
 
     figure: str
-    data: str | Annotated[tuple[str, ...], Field(min_length=1)]
+    data: str | tuple[str, ...]
 
     def __post_init__(self) -> None:
         if self.figure not in FIGURES:
@@ -88,12 +88,24 @@ class FigureCase:
                 f"figure={self.figure}: unknown; give one of {', '.join(FIGURES)}; "
                 "squat task=figure figure=list tells what each shows"
             )
+        count, most = len(self.paths), _MOST.get(self.figure, 1)
+        if not 1 <= count <= most:
+            runs, remedy = ("one run", "one file") if most == 1 else (f"1 to {most} runs", "those")
+            raise InputError(
+                f"figure={self.figure}: draws {runs}, data names {count}; give {remedy}"
+            )
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The datasets."""
+        return (self.data,) if isinstance(self.data, str) else self.data
 
 
 def catalogue() -> str:
-    """One line a figure: its name, the task whose dataset it draws, and what it shows."""
+    """One line a figure: its name, its dataset's task, what it shows, and if of several files."""
     return "\n".join(
         f"{name:<15} {kind.name:<13} {(draw.__doc__ or '').partition(chr(10))[0]}"
+        + (f" [data: 1 to {_MOST[name]} files]" if name in _MOST else "")
         for name, (kind, draw) in FIGURES.items()
     )
 
@@ -102,6 +114,5 @@ def write_figure(case: FigureCase, path: Path) -> None:
     """Write the figure to `path` (.png) and beside it as .svg."""
     kind, draw = FIGURES[case.figure]
     with mpl.rc_context(SETTINGS):
-        paths = (case.data,) if isinstance(case.data, str) else case.data
-        figure = draw(*(records.read(Path(path), kind) for path in paths))
+        figure = draw(*(records.read(Path(name), kind) for name in case.paths))
         save(figure, path)

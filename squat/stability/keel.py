@@ -18,6 +18,16 @@ def keel_pressure(density: float, speed: ArrayLike, depth: float, clearance: Arr
     return np.asarray(density * np.asarray(speed, float) ** 2 / 2 * (1 - contraction))
 
 
+def squat_speed(depth: float, clearance: float, gravity: float) -> float:
+    """Speed [m/s] above which Eq. (27) has no root, for H and H - T [m] and g [m/s2].
+
+    Where both roots merge, the gap u = H - T + w has u^3 = V^2 H^2/g, and Eq. (27) becomes
+    (u/H)^3 - 3 u/H + 2 (H - T)/H = 0, which the sine of a third of an angle solves.
+    """
+    gap = 2 * depth * np.sin(np.arcsin(clearance / depth) / 3)
+    return float(np.sqrt(gravity * gap**3) / depth)
+
+
 def underside(x: Vector, z: Vector) -> NDArray[np.int64]:
     """Numbers of the nodes of a hull's outline, in its order, where it faces down below 45 degrees.
 

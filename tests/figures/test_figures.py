@@ -1,10 +1,13 @@
 """What a reader would complain of: labels over lines, titles cut off."""
 
 import json
+import math
+from inspect import signature
 from itertools import combinations
 
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat import records, transient
@@ -21,9 +24,13 @@ from squat.figures.limits import basins, limits
 from squat.figures.mesh import fig6
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.transient import fig11, fig12
-from squat.figures.write import FIGURES, FigureCase
+from squat.figures.trim import filled
+from squat.figures.uneven import uneven_bottom
+from squat.figures.write import FIGURES, FigureCase, catalogue
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
+from squat.records.bottom_kinds import UNEVEN_BOTTOM
+from squat.stability.equilibria import OneDimensionalModel
 from squat.stability.portrait import run as stability
 from squat.stability.run import run as equilibria
 
@@ -53,6 +60,27 @@ def test_isovalues_under_a_long_hull_have_their_numbers(case):
     for axes in fig7(data).axes:
         assert sum(0 < text.get_position()[0] < 110 for text in axes.texts) > 4
         assert axes.xaxis.get_tick_params()["labelbottom"]
+
+
+SLAB = ("hull.length=190.0", "hull.draft=10.5", "channel.depth=13.0", "channel.upstream=190.0")
+
+
+@pytest.mark.parametrize("more", [("hull=fig7", "channel=fig7"), SLAB])
+def test_numbers_of_isolines_are_whole_and_read_from_one_side(case, more):
+    figure = fig7(added_mass(case("added_mass", "mesh=coarse", *more)))
+    FigureCanvasAgg(figure).draw()
+    for axes in figure.axes:
+        boxes = [text.get_window_extent() for text in axes.texts if "×" not in text.get_text()]
+        assert len(boxes) > 8
+        assert all(axes.bbox.y0 < box.y0 and box.y1 < axes.bbox.y1 for box in boxes)
+        rim = [axes.transData.transform(line.get_xydata()) for line in axes.lines]
+        rim = np.vstack([np.linspace(*edge, 20) for edge in rim])
+        for box in boxes:
+            inside = (rim > (box.x0, box.y0)) & (rim < (box.x1, box.y1))
+            assert not inside.all(axis=1).any()
+        for text in axes.texts:
+            assert (text.get_rotation() + 80) % 360 < 180
+            assert text.get_text().strip() not in {"6", "9", "\N{MINUS SIGN}6", "\N{MINUS SIGN}9"}
 
 
 @pytest.mark.parametrize("more", [("hull=curve",), BARGE])
@@ -153,10 +181,36 @@ def test_a_run_without_an_accepted_step_says_so(sailed):
     run = sailed("current=3", "coupling=printed_standard")
     assert run.sizes["time"] == 1
     left, right = fig11(run).axes
-    assert left.get_title(loc="left") == "$V_\\infty$ = 3 m/s: diverged"
+    assert left.get_title(loc="left").startswith("$V_\\infty$ = 3 m/s: diverged; no root of Eq.")
     assert [text.get_text() for text in right.texts] == [
         "no step was accepted:\nthe first diverged"
     ]
+
+
+def test_roots_of_eq_27_are_named_where_they_are_and_for_the_box_that_they_are_of(case, sailed):
+    slow, fast = sailed("current=1"), sailed("current=3")
+    names = [text.get_text() for text in fig11(fast).legends[0].get_texts()]
+    assert names == ["heave $w$"]
+    ship = case("transient")
+    limit = OneDimensionalModel(ship.hull, ship.channel, ship.water).squat_speed()
+    for figure in (fig11(fast, slow), fig11(slow, fast)):
+        names = [text.get_text() for text in figure.legends[0].get_texts()]
+        assert names == ["heave $w$", "stable root, Eq. (27)", "unstable root, Eq. (27)"]
+        ends = {axes.get_title(loc="left").partition(": ")[2] for axes in figure.axes}
+        above = f"completed; no root of Eq. (27) above {limit.speed:.3f} m/s"
+        assert ends == {"", "completed", above}
+    raked = sailed("current=1", "hull=lewis")
+    names = [text.get_text() for text in fig11(raked).legends[0].get_texts()]
+    assert names[1] == "stable root of Eq. (27), a box of this length and draft"
+
+
+def test_time_in_seconds_is_above_the_phase(sailed):
+    run = sailed("current=1")
+    figure = fig11(run)
+    FigureCanvasAgg(figure).draw()
+    (seconds,) = figure.axes[0].child_axes
+    assert seconds.get_xlim()[1] == pytest.approx(float(run["time"][-1]))
+    assert seconds.get_xticklabels()[0].get_text() == "0 s"
 
 
 def test_pitch_has_a_row_and_titles_tell_what_differs(sailed):
@@ -282,3 +336,49 @@ def test_the_list_of_figures_says_what_each_shows_and_of_which_task(monkeypatch,
     assert all(len(shows.split()) > 3 for *_, shows in rows)
     with pytest.raises(ValueError, match="figure=list tells what each shows"):
         FigureCase(figure="fig99", data="x.nc")
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_more_files_than_a_figure_draws_are_refused_and_the_list_tells_how_many(name):
+    draw, shown = FIGURES[name][1], catalogue().splitlines()[list(FIGURES).index(name)]
+    several = any(p.kind is p.VAR_POSITIONAL for p in signature(draw).parameters.values())
+    assert ("files]" in shown) == several
+    with pytest.raises(ValueError, match=f"figure={name}: draws .*, data names 9; give "):
+        FigureCase(figure=name, data=("x.nc",) * 9)
+    with pytest.raises(ValueError, match="data names 0; give "):
+        FigureCase(figure=name, data=())
+    if not several:
+        with pytest.raises(ValueError, match="draws one run, data names 2; give one file"):
+            FigureCase(figure=name, data=("safe.nc", "lost.nc"))
+
+
+def _shelf():
+    """A picture of made loads of a long ship, over three places, two gaps and three shelves."""
+    sizes = {"steepness": 1, "place": 3, "gap_over_length": 2, "rise": 3}
+    values = {
+        name: (variable.dims, np.linspace(1.0, 2.0, math.prod(sizes[d] for d in variable.dims))
+               .reshape([sizes[d] for d in variable.dims]))
+        for name, variable in UNEVEN_BOTTOM.variables.items()
+    }  # fmt: skip
+    data = xr.Dataset(values).assign(length=190.0, clearance=2.5, shelf_rise=0.8)
+    missing = {name: data[name] * np.nan for name in data if "complete" in name}
+    return uneven_bottom(data.assign(missing))
+
+
+def test_an_uneven_bottom_is_stretched_to_be_seen_and_its_keys_name_what_is_drawn():
+    sketch, force, _, errors, speeds = _shelf().axes
+    assert f"heights × {sketch.get_aspect():g}" in [text.get_text() for text in sketch.texts]
+    assert sketch.get_aspect() > 10
+    names = [[t.get_text() for t in a.get_legend().get_texts()] for a in (force, errors, speeds)]
+    assert names[0] == ["steepness 1", "2D", "1D, local depth"]
+    assert names[2] == ["2D", "1D, local depth"]
+    assert not any("curvature" in name for name in names[1])
+    assert len(names[1]) == 4
+
+
+def test_a_branch_from_rest_follows_the_square_of_the_current_between_its_points():
+    speed = np.array([0.0, 0.9, 1.3, 1.6])
+    x, w = filled(speed, -(speed**2))
+    assert np.diff(x).max() < 0.4
+    assert np.allclose(w, -(x**2))
+    assert set(speed) <= set(np.round(x, 12))

@@ -12,6 +12,7 @@ from squat.channel import Channel, Rectangle
 from squat.errors import InputError
 from squat.fluid.run import run as added_mass
 from squat.stability.equilibria import OneDimensionalModel
+from squat.stability.keel import squat_speed
 from squat.stability.run import run
 from squat.stability.speeds import readable
 from squat.water import Water
@@ -39,6 +40,12 @@ def test_roots_are_those_of_the_printed_polynomial(ship, fraction):
     expected = np.sort(np.roots(ship.coefficients(speed)).real)[::-1]
     # np.roots loses half the digits where two roots nearly merge.
     assert roots == pytest.approx(expected, rel=1e-6, abs=1e-6 * ship.channel.depth)
+
+
+@given(geometries)
+def test_the_closed_form_of_the_squat_speed_is_the_bracketed_one(ship):
+    closed = squat_speed(ship.channel.depth, ship.clearance, WATER.gravity)
+    assert closed == pytest.approx(ship.squat_speed().speed, rel=1e-9)
 
 
 @given(geometries, st.floats(0.001, 0.999))
