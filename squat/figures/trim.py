@@ -62,8 +62,9 @@ def _equilibria(
     drawn = set()
     for count, part in _stretches(data[f"{prefix}unstable"].values):
         label = None if count in drawn else f"{branch}, {_STABILITY[count]}"
-        line = filled(speed[part], values[part])
-        axes.plot(*line, ("-", "--", ":")[count], label=label, **look)
+        for half in _from_fastest(*filled(speed[part], values[part])):
+            axes.plot(*half, ("-", "--", ":")[count], label=label, **look)
+            label = None
         drawn.add(count)
 
 
@@ -76,6 +77,14 @@ def filled(speed: Vector, values: Vector) -> tuple[Vector, Vector]:
     between = np.linspace(0, len(speed) - 1, _BETWEEN * (len(speed) - 1) + 1)
     squares = np.interp(between, point, speed**2)
     return np.sqrt(squares), np.asarray(np.interp(between, point, values))
+
+
+def _from_fastest(speed: Vector, values: Vector) -> Iterator[tuple[Vector, Vector]]:
+    """The line as two that begin at its fastest point: mirror images keep step in their dashes."""
+    top = int(speed.argmax())
+    for half in (slice(top, None), slice(top, None, -1)):
+        if len(speed[half]) > 1:
+            yield speed[half], values[half]
 
 
 def _stretches(counts: Vector) -> Iterator[tuple[int, slice]]:

@@ -132,6 +132,6 @@ def _limits(axes: Axes, data: xr.Dataset) -> None:
             mark = _alone(suffix, share) or ("" if suffix else ".")
             axes.plot(share, data[f"squat_speed{suffix}"], style, marker=mark, color=BLUE,
                       label=_LABELS[suffix])  # fmt: skip
-    axes.set(xlabel="height of the shelf over the clearance", ylabel="squat speed [m/s]")
+    axes.set(xlabel="shelf height / clearance at rest [-]", ylabel="squat speed [m/s]")
     axes.set_ylim(0, 1.08 * axes.dataLim.y1)
     axes.legend(fontsize=8, loc="lower left")
