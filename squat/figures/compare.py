@@ -3,11 +3,14 @@
 import logging
 import textwrap
 from collections.abc import Callable
+from numbers import Real
 from pathlib import Path
 from typing import Annotated, Any
 
 import matplotlib as mpl
+import numpy as np
 import pandas as pd
+import xarray as xr
 from h5netcdf import File
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -19,8 +22,9 @@ from squat.errors import InputError
 from squat.figures.files import save
 from squat.figures.labels import named, telling
 from squat.figures.lacking import remedy, variables
-from squat.figures.style import CYCLE, SETTINGS, layers, single
-from squat.quantities import STRICT
+from squat.figures.layers import looks
+from squat.figures.style import CYCLE, SETTINGS, single
+from squat.quantities import STRICT, Vector
 
 _log = logging.getLogger(__name__)
 _USUAL = {"transient": "heave", "piston": "position"}
@@ -30,6 +34,7 @@ _DONE = ("completed", "converged", "turned")
 """How runs end that have a result; kinds that have no status always do."""
 _LINE = 0.17  # in, height of a line of the legend
 _WIDE = 42  # letters in a line of an axis label
+_NUMBERS = "iuf"  # kinds of types between whose values a line says something
 _FIXED = "\N{NO-BREAK SPACE}"
 _DOT = 3.5  # size of a ring over the width of a line
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
@@ -110,44 +115,67 @@ def _lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> 
     if len(table) > _MOST:
         raise InputError(f"runs: {len(table)} lines in one plot; narrow them to {_MOST} by where=")
     axes.set_prop_cycle(CYCLE)
-    for (file, label), look in zip(_labelled(table), layers(len(table)), strict=True):
-        data = records.read(Path(file))
-        values = data[variable]
-        if values.ndim != 1:
-            raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
-        across = data[over or values.dims[0]]
-        alone = pd.notna(values.values).sum() == 1
-        shown = _ring(look["lw"]) if alone else look
+    labelled = _labelled(table)
+    pairs = [_curve(records.read(Path(file)), variable, over) for file, _ in labelled]
+    seen = looks([np.stack([_numbers(x), _numbers(y)]) for x, y in pairs])
+    for (across, values), (_, label), look in zip(pairs, labelled, seen, strict=True):
+        dots = pd.notna(values.values).sum() == 1 or across.dtype.kind not in _NUMBERS
+        shown = _ring(look["lw"]) if dots else look
         axes.plot(across.values, values.values, label=label, **shown)
         axes.set_xlabel(_axis(across.attrs["long_name"], across.attrs["units"]))
         axes.set_ylabel(_axis(values.attrs["long_name"], values.attrs["units"]))
 
 
+def _curve(data: xr.Dataset, variable: str, over: str | None) -> tuple[xr.DataArray, xr.DataArray]:
+    """What `variable` is drawn over, and itself; InputError where it is no line."""
+    values = data[variable]
+    if values.ndim != 1:
+        raise InputError(f"variable={variable}: has {values.ndim} dimensions, not one")
+    across = data[over or values.dims[0]]
+    if across.dims != values.dims:
+        raise InputError(f"over={over}: {variable} runs over {values.dims[0]}; give what does so")
+    return across, values
+
+
+def _numbers(values: xr.DataArray) -> Vector:
+    """The values, of names their places."""
+    named = values.dtype.kind not in _NUMBERS
+    return np.arange(values.size, dtype=float) if named else values.values.astype(float)
+
+
 def _ring(width: float) -> dict[str, Any]:
-    """Look of a run of one point: the larger, the wider its line would be."""
+    """Look of a run of one point, or over names: the larger, the wider its line would be."""
     return {"ls": "", "marker": "o", "mfc": "none", "ms": _DOT * width}
 
 
 def _points(axes: Axes, table: pd.DataFrame, variable: str, over: str) -> None:
     """A headline figure over a key; a line for each combination of the other keys that vary.
 
-    Runs that failed are open markers: what they hold is the state in which they stopped.
+    Over names dots: nothing is between those. Runs that failed are open markers: what they hold
+    is the state in which they stopped.
     """
     keys = [
         name for name in telling(_without_synonyms(table, over)) if name not in (variable, over)
     ]
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_prop_cycle(CYCLE)
+    between: Any = {} if table[over].map(_is_number).all() else {"ls": ""}
     for values, group in groups:
         label = named(dict(zip(keys, values, strict=True)))
         done = group["status"].isna() | group["status"].isin(_DONE)
         ordered = group[done].sort_values(over)
         shown = label if done.any() else None
-        (line,) = axes.plot(ordered[over], ordered[variable], marker="o", ms=4, label=shown)
+        (line,) = axes.plot(
+            ordered[over], ordered[variable], marker="o", ms=4, label=shown, **between
+        )
         for status, failed in group[~done].groupby("status"):
             name = ": ".join(filter(None, [label, str(status)]))
             look: Any = {"ls": "", "marker": "o", "mfc": "none", "color": line.get_color()}
             axes.plot(failed[over], failed[variable], ms=4, label=name, **look)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, Real) and not isinstance(value, bool)
 
 
 def _without_synonyms(table: pd.DataFrame, over: str) -> pd.DataFrame:

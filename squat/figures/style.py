@@ -20,8 +20,6 @@ _LONGEST = 8.0
 """Width over height of a channel that is drawn with equal scales, about."""
 CYCLE = cycler(linestyle=["-", "--", ":"]) * cycler(color=PALETTE)
 """Lines that differ in colour first, then in dashes."""
-_WIDEST, _THINNEST = 3.6, 1.4  # pt
-_DASHES = ("-", (0, (4, 3)), (0, (1, 2)))
 SETTINGS: Any = {
     "font.size": 10,
     "axes.grid": True,
@@ -38,18 +36,6 @@ def single(width: float = 6.4, height: float = 4.4) -> tuple[Figure, Axes]:
     """A figure of one panel; sizes in inches."""
     figure = Figure(figsize=(width, height), layout="constrained")
     return figure, figure.add_subplot()
-
-
-def layers(count: int) -> list[dict[str, Any]]:
-    """Looks of `count` lines by which those that coincide are all seen.
-
-    Each is thinner than the one below, and has other dashes.
-    """
-    step = (_WIDEST - _THINNEST) / max(count - 1, 1)
-    return [
-        {"lw": _THINNEST + step * (count - 1 - line), "ls": _DASHES[line % len(_DASHES)]}
-        for line in range(count)
-    ]
 
 
 def stretch(width: float, height: float, longest: float = _LONGEST) -> int:

@@ -352,6 +352,17 @@ def test_runs_that_coincide_are_all_seen(runs):
     assert {line.get_markerfacecolor() for line in axes.lines} == {"none"}
 
 
+def test_runs_that_differ_are_equally_thick(runs):
+    table = select(find([runs]), "kind == 'piston' and status != 'diverged'")
+    (axes,) = draw(table, "position", None).axes
+    assert len(axes.lines) == 2
+    assert len({(line.get_linewidth(), line.get_linestyle()) for line in axes.lines}) == 1
+    both = pd.concat([table, table.iloc[:1]], ignore_index=True).assign(current=range(3))
+    (axes,) = draw(both, "position", None).axes
+    widths = [line.get_linewidth() for line in axes.lines]
+    assert widths[0] > widths[1] == widths[2]
+
+
 def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():
     table = pd.DataFrame(
         {"modes": ['["heave"]', '["heave"]', None], "hull.draft": [8.0, 9.0, 10.0], "kind": "x"}

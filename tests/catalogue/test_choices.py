@@ -131,6 +131,8 @@ def test_a_figure_is_plotted_over_a_choice_and_over_a_part_of_one_in_one_line(fo
         labels = [line.get_label() for line in axes.lines]
         assert labels == ["depth = 10", "depth = 12"]
         assert all(len(line.get_xdata()) == len(OWN) for line in axes.lines)
+        joined = "None" if over == "hull" else "-"
+        assert {(line.get_linestyle(), line.get_marker()) for line in axes.lines} == {(joined, "o")}
     (axes,) = draw(table, "result.squat_speed", "channel.depth").axes
     assert {line.get_label() for line in axes.lines} == {"hull = feeder", "hull = coaster"}
 
