@@ -121,9 +121,9 @@ def _portrait(axes: Axes, data: xr.Dataset) -> None:
             heave, velocity, energy, levels, colors="0.7", linewidths=0.8, linestyles="solid"
         )
     axes.contour(heave[reach], velocity, energy[:, reach], [own], colors=BLUE, linewidths=1.4,
-                 linestyles="solid")  # fmt: skip
+                 linestyles="solid", zorder=4)  # above the dot, for a small motion  # fmt: skip
     axes.plot([], [], color=BLUE, lw=1.4, label="energy of the start")
-    axes.plot(*start, "x", color=BLUE, ms=7, label="start")
+    axes.plot(*start, "x", color=BLUE, ms=7, mew=1, label="start")
     if np.isfinite(top):
         _well(axes, data)
     axes.set(xlim=(bottom(data), _top(data)), ylim=(-fastest, fastest))
