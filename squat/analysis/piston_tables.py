@@ -23,7 +23,7 @@ def table1(data: xr.Dataset) -> LookUp:
     return lambda keys: Here(value[keys["quantity"]])
 
 
-CUT_OFF = {"0.66": 2 / 3}
+CUT_OFF = {"0.66": 0.666}
 """Printed m_f/m that may be the cut-off of another number, as the counts are."""
 
 
@@ -54,7 +54,7 @@ def _count(data: xr.Dataset, added_mass_ratio: float, printed_ratio: str) -> Her
     note = "does not converge" if value == float("inf") else ""
     if printed_ratio in CUT_OFF:
         meant = _cell(data, added_mass_ratio, CUT_OFF[printed_ratio])
-        note = f"m_f/m = 2/3, cut off to {printed_ratio}, gives {meant:.5g}"
+        note = f"m_f/m = {CUT_OFF[printed_ratio]}, cut off to {printed_ratio}, gives {meant:.5g}"
     return Here(value, note, rounds_down=True, explained=printed_ratio in CUT_OFF)
 
 

@@ -133,5 +133,5 @@ def _limits(axes: Axes, data: xr.Dataset) -> None:
             axes.plot(share, data[f"squat_speed{suffix}"], style, marker=mark, color=BLUE,
                       label=_LABELS[suffix])  # fmt: skip
     axes.set(xlabel="shelf height / clearance at rest [-]", ylabel="squat speed [m/s]")
-    axes.set_ylim(0, 1.08 * axes.dataLim.y1)
+    axes.set_ylim(0, 1.07 * axes.dataLim.y1)
     axes.legend(fontsize=8, loc="lower left")

@@ -32,7 +32,7 @@ def test_small_motion_has_the_period_of_the_lids_inertia(sources):
         ("With no added mass correction", "match"),
         ("In the stable cases the ship oscillates", "match"),
         ("The pressure under the hull", "match"),
-        ("In the unstable case the number", "match"),
+        ("In the unstable case the number", "differs"),
         ("The observed period", "match"),
         ("Irrespective of the stability", "differs"),
         ("Stable at 1, 2 and 2.25", "match"),
