@@ -23,6 +23,8 @@ def table1(data: xr.Dataset) -> LookUp:
     return lambda keys: Here(value[keys["quantity"]])
 
 
+_ODD = ("10", "0.8")
+"""m_add/m_f and m_f/m of the one cell of Table 3 that is off by more than its rounding."""
 CUT_OFF = {"0.66": 0.666}
 """Printed m_f/m that may be the cut-off of another number, as the counts are."""
 
@@ -45,7 +47,13 @@ def table2(data: xr.Dataset) -> LookUp:
 
 def table3(data: xr.Dataset) -> LookUp:
     """Iterations against mass ratio and added mass."""
-    return lambda keys: _count(data, float(keys["madd_over_mf"]), keys["mf_over_m"])
+
+    def here(keys: dict[str, str]) -> Here:
+        found = _count(data, float(keys["madd_over_mf"]), keys["mf_over_m"])
+        odd = (keys["madd_over_mf"], keys["mf_over_m"]) == _ODD
+        return found._replace(note="no reading tried gives it") if odd else found
+
+    return here
 
 
 def _count(data: xr.Dataset, added_mass_ratio: float, printed_ratio: str) -> Here:

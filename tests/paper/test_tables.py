@@ -80,6 +80,13 @@ def test_table_3_all_forty_cells_within_one(sources):
     assert ((here // 1 - paper).abs() <= 1).all()
 
 
+@pytest.mark.parametrize("name", ["table2", "table3", "table7"])
+def test_each_cell_that_differs_says_why_or_that_nothing_tried_gives_it(name, sources):
+    data = sources.equilibria if name == "table7" else sources.iterations
+    table = compare(name, data)
+    assert (table[table["verdict"] != "match"]["note"] != "").all()
+
+
 def test_table_7_differs_in_one_cell_by_the_papers_hundredth(sources):
     table = compare("table7", sources.equilibria)
     assert (table["verdict"] == "match").sum() == 9
