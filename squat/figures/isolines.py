@@ -12,7 +12,7 @@ _STEP = 2.0  # between points of a line that distances are measured from, pt
 _APART = 2  # every which of these points is tried for a number
 _LETTER = 0.6  # width of a digit over its size
 _GAP = "\N{SIX-PER-EM SPACE}"  # in the line before and behind a number
-_ROOM = 0.7  # from a number's middle line to anything else, over its size
+_ROOM = 0.6  # from a number's middle line to anything else, over its size
 _STEEPEST = -80.0  # degrees; lines that fall more steeply are read upwards, all from one side
 
 

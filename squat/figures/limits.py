@@ -68,14 +68,30 @@ def basins(data: xr.Dataset) -> Figure:
     shades = axes.contourf(heave, both, mirrored.T, levels, cmap="cividis")
     for n, (color, style) in zip(range(data.sizes["case_speed"]), cycle(_LOOPS), strict=False):
         _basin(axes, data.isel(case_speed=n), color, style)
+    _hold(axes, data, heave, both)
     axes.plot(float(data["start_heave"]), float(data["start_velocity"]), "kx", ms=8, label="start")
     figure.colorbar(shades, ax=axes, format="%g", label="dynamic squat speed [m/s]")
-    axes.set(xlim=(heave[0], heave[-1]), ylim=(both[0], both[-1]))
     axes.grid(visible=False)
     axes.set_xlabel("$w(0)$ [m]")
     axes.set_ylabel("$\\dot{w}(0)$ [m/s]")
     figure.legend(loc="outside upper center", ncols=4, fontsize=9)
     return figure
+
+
+def _hold(axes: Axes, data: xr.Dataset, heave: Vector, velocity: Vector) -> None:
+    """Axes that hold the map and all separatrices, blank beyond the map, which a title says."""
+    loop, edge = data["separatrix_heave"].values, data["separatrix_velocity"].values
+    wider = False
+    for set_, ends, line in (
+        (axes.set_xlim, heave[[0, -1]], loop[np.isfinite(loop)]),
+        (axes.set_ylim, velocity[[0, -1]], np.r_[edge, -edge][np.isfinite(np.r_[edge, -edge])]),
+    ):
+        reach = np.r_[ends, line]
+        beyond = np.array([reach.min(), reach.max()]) != ends
+        set_(*(reach.min(), reach.max()) + 0.03 * np.ptp(reach) * beyond * [-1, 1])
+        wider |= bool(beyond.any())
+    if wider:
+        axes.set_title("blank: beyond the map", fontsize=9, loc="right")
 
 
 def _survived(data: xr.Dataset) -> tuple[Vector, Vector, Vector]:

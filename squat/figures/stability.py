@@ -9,6 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from squat.figures.style import BLUE, PALETTE, RED
+from squat.quantities import Vector
+
+_FINE = 401  # points of either axis for the curve of the start's energy
 
 
 def bottom(data: xr.Dataset) -> float:
@@ -120,10 +123,8 @@ def _portrait(axes: Axes, data: xr.Dataset) -> None:
         axes.contour(
             heave, velocity, energy, levels, colors="0.7", linewidths=0.8, linestyles="solid"
         )
-    axes.contour(heave[reach], velocity, energy[:, reach], [own], colors=BLUE, linewidths=1.4,
-                 linestyles="solid", zorder=4)  # above the dot, for a small motion  # fmt: skip
-    axes.plot([], [], color=BLUE, lw=1.4, label="energy of the start")
-    axes.plot(*start, "x", color=BLUE, ms=7, mew=1, label="start")
+    _orbit(axes, heave[reach], inertia[reach], potential[reach] - own, fastest)
+    axes.plot(*start, "x", color=BLUE, ms=5, mew=1, label="start")
     if np.isfinite(top):
         _well(axes, data)
     axes.set(xlim=(bottom(data), _top(data)), ylim=(-fastest, fastest))
@@ -131,6 +132,21 @@ def _portrait(axes: Axes, data: xr.Dataset) -> None:
     limit = float(data["dynamic_squat_speed"])
     end = "is lost" if speed >= limit else "turns"
     axes.set_title(f"$V_\\infty$ = {speed:g} m/s: the start {end}", fontsize=10)
+
+
+def _orbit(axes: Axes, heave: Vector, inertia: Vector, above: Vector, fastest: float) -> None:
+    """The curve of the start's energy, fine and on top, as it may be no larger than a marker.
+
+    `above` (n,) [J/m] is the potential less that energy, `fastest` [m/s] the last to be drawn.
+    """
+    fine = np.linspace(heave[0], heave[-1], _FINE)
+    mass, rise = (np.interp(fine, heave, values) for values in (inertia, above))
+    top = min(fastest, 1.1 * float(np.sqrt(2 * np.maximum(-rise, 0) / mass).max()))
+    velocity = np.linspace(-top, top, _FINE) if top > 0 else np.array([-fastest, fastest])
+    energy = rise + mass * velocity[:, None] ** 2 / 2
+    axes.contour(fine, velocity, energy, [0.0], colors=BLUE, linewidths=1.4, linestyles="solid",
+                 zorder=4)  # fmt: skip
+    axes.plot([], [], color=BLUE, lw=1.4, label="energy of the start")
 
 
 def _fastest(data: xr.Dataset, own: float) -> float:
@@ -150,7 +166,7 @@ def _well(axes: Axes, data: xr.Dataset) -> None:
     loop, edge = data["separatrix_heave"].values, data["separatrix_velocity"].values
     for way, label in ((1, "separatrix"), (-1, None)):
         axes.plot(loop, way * edge, color=RED, lw=1.8, label=label)
-    axes.plot(float(data["case_stable"]), 0, "ko", ms=5, label="stable")
+    axes.plot(float(data["case_stable"]), 0, "ko", ms=2.5, label="stable")
     axes.plot(float(data["case_unstable"]), 0, "ko", ms=5, mfc="white", label="unstable")
 
 

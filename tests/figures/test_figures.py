@@ -273,10 +273,16 @@ def test_table_7_is_drawn_beside_its_own_ship_alone(case, draft, count):
     assert names.count("Table 7, printed") == count
 
 
-def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(case):
-    """A slow ship's energy also admits places beyond the barrier, which it cannot reach."""
+@pytest.fixture(scope="module")
+def survived(case):
+    """The energies of the paper's ship, at currents of which it survives some."""
     keys = "stability", "mesh=coarse", "portrait=small"
-    data = stability(case(*keys)).assign_attrs(config=json.dumps(compose(*keys)))
+    return stability(case(*keys)).assign_attrs(config=json.dumps(compose(*keys)))
+
+
+def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(survived):
+    """A slow ship's energy also admits places beyond the barrier, which it cannot reach."""
+    data = survived
     slow = data.isel(case_speed=0)
     heave, potential = slow["heave"].values, slow["potential"].values
     own = np.interp(float(data["start_heave"]), heave, potential)
@@ -285,6 +291,28 @@ def test_the_motion_of_the_start_is_drawn_without_the_far_branch_of_its_energy(c
     curve = phase_portrait(data).axes[0].collections[-1]
     found = np.vstack([path.vertices for path in curve.get_paths()])
     assert found[:, 0].min() > barrier
+
+
+def test_the_small_motion_of_a_slow_ship_is_a_smooth_curve_over_the_dot_in_it(survived):
+    axes = phase_portrait(survived).axes[0]
+    curve, (dot,) = axes.collections[-1], [x for x in axes.lines if x.get_label() == "stable"]
+    assert curve.get_zorder() > dot.get_zorder()
+    found = np.vstack([path.vertices for path in curve.get_paths()])
+    assert len(found) > 40
+    assert float(survived["start_heave"]) == pytest.approx(found[:, 0].max(), abs=0.01)
+
+
+def test_basins_hold_all_separatrices_and_say_where_the_map_ends(survived):
+    axes = basins(survived).axes[0]
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    loops = [line for line in axes.lines if line.get_label() != "start"]
+    assert len(loops) > 2
+    for x, z in (line.get_xydata()[np.isfinite(line.get_xydata()).all(axis=1)].T for line in loops):
+        assert left < x.min()
+        assert x.max() < right
+        assert low < z.min()
+        assert z.max() < high
+    assert axes.get_title(loc="right") == "blank: beyond the map"
 
 
 @pytest.fixture(scope="module")
