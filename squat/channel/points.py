@@ -70,11 +70,12 @@ class _Given(Hull):
         return np.asarray((chain - np.array([chain[0, 0], 0.0])) * np.array(stretch))
 
     def remark(self) -> str:
-        """What the walls take off the wetted length as drawn, in words; empty: nothing."""
+        """What the walls take off the length as drawn, where it is not given; empty: nothing."""
         area = self._area()
         left, _, right, _ = area.intersection(box(-_WIDE, -_WIDE, _WIDE, 0.0)).bounds
         drawn, kept = right - left, float(np.ptp(self._lower(area)[:, 0]))
-        if kept > (1 - _NOTICED) * drawn:
+        stretched = abs(self.length - kept) > _NOTICED * kept
+        if stretched or kept > (1 - _NOTICED) * drawn:
             return ""
         return (
             f"the hull is {kept:.6g} m long of {drawn:.6g} m drawn: vertical sides replace what "

@@ -78,10 +78,11 @@ def _added_mass_ratio(case: EquilibriaCase) -> tuple[float, float]:
 
 def _summary(case: EquilibriaCase, fold: Fold, ratio: str, period: float) -> str:
     froude = fold.speed / math.sqrt(case.water.gravity * case.channel.depth)
+    bed = " over a flat bottom" if case.channel.bottom else ""
     source = "as given" if case.added_mass_ratio is not None else "zero pressure, Eq. (23)"
     return (
         f"small heave in still water has a period of {period:.4g} s with m_add/m = {ratio} "
         f"({source}); under a rigid lid it is longer (task=limits)\n"
         f"squat speed {fold.speed:.6g} m/s (Fr_h = {froude:.3f}) at w = {fold.sinkage:.4g} m by "
-        "Eq. (27), which takes any hull for a box of its draft; task=limits takes it as it is"
+        f"Eq. (27), which takes any hull for a box of its draft{bed}; task=limits takes it as it is"
     )

@@ -32,6 +32,7 @@ _log = logging.getLogger(__name__)
 MODES = ("heave", "pitch")
 ESTIMATED = ("squat_speed", "safe_speed", "heave_only_limit")
 """Numbers with an error from coarser meshes."""
+_FURTHER = 1.25
 _REST = 1e-3
 """Force over the greatest stiffness [m] up to which a place counts as an equilibrium."""
 
@@ -198,11 +199,17 @@ def _stiffness(ship: ShipEnergy) -> float:
     return float(ship.hydrostatics.stiffness[0, 0])
 
 
-def _heave_alone(ship: ShipEnergy, region: Region, start: Vector, fastest: float) -> float:
-    """Dynamic limit [m/s] with the pitch locked at the start's: exact, from the same energies."""
+def _heave_alone(ship: ShipEnergy, region: Region, start: Vector, guess: float) -> float:
+    """Dynamic limit [m/s] with the pitch locked at the start's: exact, from the same energies.
+
+    Over an uneven bottom it may lie far beyond the fold of a ship that is free to trim, `guess`.
+    """
 
     def lack(V: float) -> float:
         system: Lagrangian = ship.at_current(V)
         return ridge(system, region, float(start[1])).potential - system.potential(start)
 
-    return float(brentq(lack, 0.0, fastest)) if lack(fastest) < 0 else fastest
+    fastest = guess
+    while lack(fastest) >= 0:  # ends: U falls with V^2, most where the gap is least
+        fastest *= _FURTHER
+    return float(brentq(lack, 0.0, fastest))

@@ -155,6 +155,7 @@ def test_walls_that_shorten_a_hull_are_remarked_on():
     assert "105.926 m long of 110 m drawn" in cut.remark()
     assert "hull.wall=1 m;" in cut.remark()
     assert Polygon(points=barge, wall=0.5).remark() == ""
+    assert Polygon(points=barge, wall=1.0, length=55.0).remark() == ""  # as long as asked for
 
 
 def test_a_channel_that_is_short_ahead_of_its_ship_is_remarked_on_with_what_to_give():
