@@ -61,11 +61,10 @@ def _equilibria(
         return
     drawn = set()
     for count, part in _stretches(data[f"{prefix}unstable"].values):
-        label = None if count in drawn else f"{branch}, {_STABILITY[count]}"
         for half in _from_fastest(*filled(speed[part], values[part])):
+            label = None if count in drawn else f"{branch}, {_STABILITY[count]}"
             axes.plot(*half, ("-", "--", ":")[count], label=label, **look)
-            label = None
-        drawn.add(count)
+            drawn.add(count)
 
 
 def filled(speed: Vector, values: Vector) -> tuple[Vector, Vector]:
