@@ -1,10 +1,12 @@
 """Picture of a recording, without a screen: screenshot.py RECORDING PNG SIM_TIME.
 
-A moment after the end of the recording is refused.
+A moment after the end of the recording is refused; one within the digits in which logs and titles
+tell the end is the end.
 
 Needs a Vulkan driver; Debian's mesa-vulkan-drivers draws on the processor.
 """
 
+import math
 import socket
 import subprocess
 import sys
@@ -21,6 +23,7 @@ _VIEWER = Path(rerun_cli.__file__).parent / "rerun"  # the wrapper on the path l
 _SIZE = "1600x1000"
 _BAR = 36  # pixels of the window's own bar, which tells of the machine
 _PATIENCE = 60.0  # s
+_DIGITS = 5e-4  # relative: rounding to the four digits of logs and titles
 _SETTLING = 6.0  # s that the viewer takes to load and to draw
 
 
@@ -53,7 +56,10 @@ def _draw(client: ViewerClient, recording: Path, picture: Path, sim_time: float)
     """What the views complain of; exit 1 where `sim_time` is not in the recording."""
     client.open(str(recording.absolute()))
     time.sleep(_SETTLING)
-    if not 0 <= sim_time <= (end := _end(client)):
+    end = _end(client)
+    if math.isclose(sim_time, end, rel_tol=_DIGITS):
+        sim_time = end
+    if not 0 <= sim_time <= end:
         sys.exit(f"SIM_TIME={sim_time:g}: {recording} ends at {end:.6g} s; give 0 to that")
     client.set_time("sim_time", duration=sim_time, play_state="paused")
     time.sleep(_SETTLING)

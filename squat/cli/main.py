@@ -23,7 +23,7 @@ from squat.cli.jobs import Jobs, check, note_failure
 from squat.cli.log import BAD_INPUT, refuse, report, start_logging
 from squat.cli.pipes import quiet_end
 from squat.cli.targets import guard
-from squat.cli.tasks import earlier_end, output, run_task
+from squat.cli.tasks import drop_segments, earlier_end, output, run_task
 from squat.config import CONF, validate
 from squat.config.messages import condense
 from squat.config.raw import plain, plain_choices
@@ -132,6 +132,7 @@ def _run(valid: Valid, folder: Path, multirun: bool) -> None:
         (folder / FAILED).unlink(missing_ok=True)
         if not valid.settings.redo and (status := earlier_end(valid, path)):
             Jobs.outcome, Jobs.earlier = "skipped", status
+            drop_segments(path)
             _log.info("%s: complete, skipped (%s); redo=true makes it again", path, status)
             return
     run_task(valid, path)

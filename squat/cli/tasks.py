@@ -3,6 +3,7 @@
 import logging
 import time
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
@@ -152,6 +153,14 @@ def _transient(valid: Valid, path: Path, started: float) -> xr.Dataset:
     records.save(dataset, path, valid.config, started, groups, valid.choices)
     segments.clear()
     return dataset
+
+
+def drop_segments(path: Path) -> None:
+    """Remove the segments of a whole `path` that a kill left, unless a run is at work on it."""
+    segments = records.Segments.beside(path, {})
+    if segments.folder.is_dir():
+        with suppress(InputError), records.claim(path):
+            segments.clear()
 
 
 def compute(valid: Valid) -> xr.Dataset:

@@ -44,7 +44,7 @@ def fig11(*runs: xr.Dataset) -> Figure:
         axes.set_xlim(0, end)
         if name in plan[-1]:
             axes.set_xlabel("$\\omega t$ [-]")
-    columns = 3 if root.endswith(")") else 1
+    columns = 1 if "box" in root else 3
     figure.legend(list(drawn.values()), list(drawn), loc="outside upper center", ncols=columns)
     return figure
 

@@ -32,6 +32,22 @@ def test_a_moment_beyond_the_end_is_refused_with_the_end(tmp_path, monkeypatch):
         screenshot._draw(client, Path("run.rrd"), tmp_path / "out.png", 8.0)
 
 
+@pytest.mark.parametrize("told", [41.079, 41.08, 41.0789])
+def test_the_end_as_it_is_told_is_the_end(tmp_path, monkeypatch, told):
+    monkeypatch.setattr(screenshot, "_SETTLING", 0.0)
+    timelines = [Timeline("sim_time", "duration", 0, 41_078_959_400)]
+    state = SimpleNamespace(recordings=[SimpleNamespace(timelines=timelines)], views=[])
+    shown = []
+    client = SimpleNamespace(
+        open=lambda path: None,
+        get_state=lambda: state,
+        set_time=lambda line, duration, play_state: shown.append(duration),
+        save_screenshot=lambda path: None,
+    )
+    assert screenshot._draw(client, Path("run.rrd"), tmp_path / "out.png", told) == []
+    assert shown == [pytest.approx(41.0789594, rel=1e-12)]
+
+
 def test_what_the_viewer_says_is_shown_only_where_it_fails(tmp_path, monkeypatch, capfd):
     viewer = tmp_path / "viewer"
     viewer.write_text("#!/bin/sh\necho chatter\necho no driver >&2\nexit 3\n")
