@@ -1,14 +1,13 @@
 """Helpers of the Snakefile: the same `compose()` as the command line, nothing numeric."""
 
 import json
-from pathlib import Path
+from functools import cache
 from typing import Any
 
 from squat.config import compose
 
-ROOT = Path(__file__).parents[1]
 
-
+@cache
 def configured(task: str, *overrides: str) -> str:
     """Composed configuration of a task as JSON.
 

@@ -7,7 +7,6 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, WrapValidator
 from pydantic.dataclasses import dataclass
-from scipy.interpolate import PchipInterpolator
 from shapely.geometry import LineString, box
 from shapely.geometry import Polygon as Area
 
@@ -169,6 +168,8 @@ class Curve(_Given):
 
     def curve(self) -> Vector:
         """See `_Given.curve`; every one of `points` is a vertex."""
+        from scipy.interpolate import PchipInterpolator  # slow to import, and few hulls need it
+
         points = np.array(self.points, float)
         around = np.concatenate([points[-1:], points, points[:2]])  # slopes across the seam
         chords = np.linalg.norm(np.diff(around, axis=0), axis=1)

@@ -4,7 +4,6 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 from pydantic import ValidationError
-from scipy.optimize import newton
 
 from squat.channel.hull import Hull
 from squat.errors import InputError
@@ -36,6 +35,8 @@ def stretched(hull: AHull, displacement: float | None) -> AHull:
     """
     if displacement is None:
         return hull
+    from scipy.optimize import newton  # slow to import, and few commands need it
+
     area = float(displacement)
 
     def excess(factor: float) -> float:

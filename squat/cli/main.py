@@ -4,6 +4,7 @@ import logging
 import os
 import sys
 import warnings
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import nullcontext
 from pathlib import Path
 from pkgutil import resolve_name
@@ -13,7 +14,6 @@ import hydra
 from hydra._internal.utils import get_args_parser
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
-from joblib.externals.loky.process_executor import TerminatedWorkerError
 from omegaconf import DictConfig
 from omegaconf.errors import OmegaConfBaseException
 
@@ -61,7 +61,7 @@ def _main() -> None:
     except KeyboardInterrupt:
         report("interrupted; the same command goes on from here")
         sys.exit(INTERRUPTED)
-    except TerminatedWorkerError:
+    except BrokenProcessPool:
         refuse("a job was killed, for want of memory perhaps; the same command goes on from here")
     except BrokenPipeError:
         raise

@@ -4,7 +4,6 @@ from typing import Any, Literal
 
 import numpy as np
 from pydantic.dataclasses import dataclass
-from scipy.optimize import approx_fprime, root
 
 from squat.coupling.problem import Load, Problem
 from squat.dynamics import Kinematics, Motion
@@ -35,6 +34,8 @@ def together(
     A residual, shape (n,), is dt^2/s3 M^-1 F - (dt^2/s3) q'' [m]: the standard scheme's change of
     position.
     """
+    from scipy.optimize import approx_fprime, root  # slow to import, and few commands need it
+
     flexibility = kinematics.dt**2 / kinematics.s3 * np.linalg.inv(problem.mass)
     residuals: list[Vector] = []
 

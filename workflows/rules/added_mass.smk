@@ -40,11 +40,12 @@ rule added_mass:
         hull="|".join(HULLS),
     params:
         hull=lambda wildcards: HULLS[wildcards.hull],
+        accuracy=ACCURACY,
         config=lambda wildcards: configured(
-            "added_mass", *HULLS[wildcards.hull].split()
+            "added_mass", *HULLS[wildcards.hull].split(), f"accuracy={ACCURACY}"
         ),
     shell:
-        "squat task=added_mass {params.hull} 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=added_mass {params.hull} accuracy={params.accuracy} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule sensitivity:

@@ -1,7 +1,10 @@
-# Recordings of all runs, for the rerun viewer.
+# Recordings for the rerun viewer: of all runs, of the small ones one a kind.
+REPLAYED = [*TRANSIENTS, *AUDITED, *PITCHING, *PISTONS]
+if CASES != "paper":
+    REPLAYED = [TRANSIENTS[0], PITCHING[0], PISTONS[0]]
 REPLAYS = [
     f"{RESULTS}/replay/{run.parent.name}_{run.stem}.rrd"
-    for run in map(Path, dict.fromkeys([*TRANSIENTS, *AUDITED, *PITCHING, *PISTONS]))
+    for run in map(Path, dict.fromkeys(REPLAYED))
 ]
 
 
