@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 import numpy as np
+import scipy  # its parts load on use: slow, and few hulls need them
 from pydantic import Field, WrapValidator
 from pydantic.dataclasses import dataclass
 from shapely.geometry import LineString, box
@@ -168,8 +169,6 @@ class Curve(_Given):
 
     def curve(self) -> Vector:
         """See `_Given.curve`; every one of `points` is a vertex."""
-        from scipy.interpolate import PchipInterpolator  # slow to import, and few hulls need it
-
         points = np.array(self.points, float)
         around = np.concatenate([points[-1:], points, points[:2]])  # slopes across the seam
         chords = np.linalg.norm(np.diff(around, axis=0), axis=1)
@@ -181,4 +180,4 @@ class Curve(_Given):
             np.linspace(start, end, int(n), endpoint=False)
             for start, end, n in zip(s[1:-2], s[2:-1], shares, strict=True)
         ]
-        return np.asarray(PchipInterpolator(s, around)(np.concatenate(parts)))
+        return np.asarray(scipy.interpolate.PchipInterpolator(s, around)(np.concatenate(parts)))

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Any, TypeVar
 
+import scipy  # its parts load on use: slow, and few commands need them
 from pydantic import ValidationError
 
 from squat.channel.hull import Hull
@@ -35,8 +36,6 @@ def stretched(hull: AHull, displacement: float | None) -> AHull:
     """
     if displacement is None:
         return hull
-    from scipy.optimize import newton  # slow to import, and few commands need it
-
     area = float(displacement)
 
     def excess(factor: float) -> float:
@@ -45,7 +44,7 @@ def stretched(hull: AHull, displacement: float | None) -> AHull:
     guess = area / hull.outline.area
     try:
         # Areas are affine in the length, or nearly: two steps of the secant do.
-        factor = float(newton(excess, guess, x1=(1 + _FIRST) * guess, rtol=_EXACT))
+        factor = float(scipy.optimize.newton(excess, guess, x1=(1 + _FIRST) * guess, rtol=_EXACT))
     except (InputError, RuntimeError) as error:
         raise InputError(
             f"displacement={area:g}: no length of this hull gives that area; give another, "

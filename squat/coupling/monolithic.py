@@ -3,6 +3,7 @@
 from typing import Any, Literal
 
 import numpy as np
+import scipy  # its parts load on use: slow, and few commands need them
 from pydantic.dataclasses import dataclass
 
 from squat.coupling.problem import Load, Problem
@@ -34,8 +35,6 @@ def together(
     A residual, shape (n,), is dt^2/s3 M^-1 F - (dt^2/s3) q'' [m]: the standard scheme's change of
     position.
     """
-    from scipy.optimize import approx_fprime, root  # slow to import, and few commands need it
-
     flexibility = kinematics.dt**2 / kinematics.s3 * np.linalg.inv(problem.mass)
     residuals: list[Vector] = []
 
@@ -48,9 +47,9 @@ def together(
     step = _DIFFERENCE * max(1.0, float(np.abs(guess.position).max()))
 
     def jacobian(position: Vector) -> Vector:
-        return np.atleast_2d(approx_fprime(position, residual, step))
+        return np.atleast_2d(scipy.optimize.approx_fprime(position, residual, step))
 
-    found = root(residual, guess.position, jac=jacobian, tol=_ROUND_OFF)
+    found = scipy.optimize.root(residual, guess.position, jac=jacobian, tol=_ROUND_OFF)
     end = kinematics.at_position(np.asarray(found.x, float))
     residual(end.position)
     return end, problem.load(end, memory, kinematics.dt), residuals
