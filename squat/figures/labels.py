@@ -1,5 +1,6 @@
 """Names of several runs: what differs between them, and nothing else."""
 
+import textwrap
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -10,6 +11,8 @@ from squat import catalogue
 from squat.catalogue.flat import row_of
 
 _LAST = 99  # more dots than any key has
+_WIDE = 42  # letters in a line of an axis label
+_FIXED = "\N{NO-BREAK SPACE}"
 
 
 def telling(table: pd.DataFrame, *first: str) -> list[str]:
@@ -56,6 +59,12 @@ def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
         stream = "" if speed is None else f"$V_\\infty$ = {speed:g} m/s"
         labels.append(", ".join(filter(None, [stream, named({str(k): v for k, v in row.items()})])))
     return labels
+
+
+def axis_label(name: str, units: str) -> str:
+    """Label in lines that fit beside the axes, the units whole at its end."""
+    unit = "-" if units == "1" else units.replace(" ", _FIXED)
+    return textwrap.fill(f"{name} [{unit}]", _WIDE).replace(_FIXED, " ")
 
 
 def _short(key: str) -> str:

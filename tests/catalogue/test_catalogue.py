@@ -6,7 +6,6 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import squat as api
 from squat.catalogue import (
@@ -22,23 +21,8 @@ from squat.catalogue import (
 )
 from squat.catalogue.difference import difference
 from squat.config import compose, validate
-from squat.config.units import unit
 from squat.errors import InputError
-from squat.figures.compare import CompareCase, _axis, draw, write_compare
-from squat.figures.labels import telling
-
-RATIOS = (0.5, 2.0, 0.9)
-
-
-@pytest.fixture(scope="module")
-def runs(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("runs")
-    for ratio in RATIOS:
-        run = api.run("piston", "scheme=standard", "time.periods=0.5", f"piston.mass_ratio={ratio}")
-        (folder / f"deep/{ratio}").mkdir(parents=True)
-        run.to_netcdf(folder / f"deep/{ratio}/piston.nc", engine="h5netcdf")
-    api.run("equilibria").to_netcdf(folder / "roots.nc", engine="h5netcdf")
-    return folder
+from tests.catalogue.runs import RATIOS
 
 
 def test_every_run_has_a_row_with_configuration_status_and_figures(runs):
@@ -238,178 +222,6 @@ def test_a_terminal_gets_the_columns_that_fit_and_the_names_of_the_others(
     assert head.split() == whole[0].split()[:-1]
     assert f"not shown: {last}" in rest
     assert max(map(len, rest[: len(RATIOS)])) <= width
-
-
-def test_compared_runs_are_drawn_as_they_are(runs):
-    table = select(find([runs]), "kind == 'piston'")
-    (axes,) = draw(table, "position", None).axes
-    for line, ratio in zip(axes.lines, sorted(RATIOS), strict=True):
-        data = api.open_run(runs / f"deep/{ratio}/piston.nc")
-        assert np.array_equal(line.get_ydata(), data["position"])
-        assert np.array_equal(line.get_xdata(), data["time"])
-        assert f"mass_ratio = {ratio:g}" in line.get_label()
-    with pytest.raises(InputError, match=r"variable=heave: no run has that; .* as .*position"):
-        draw(table, "heave", None)
-
-
-@pytest.mark.parametrize(
-    ("variable", "over", "said"),
-    [
-        ("position", "piston.mass_ratio", "position is no single number .* over time; .*velocity"),
-        ("result.steps", "position", "position is no single number .*result.position_min"),
-        ("position", "heave", "^over=heave: no run has that"),
-        ("time_step", "piston.mass_ratio", "give result.time_step"),
-        ("result.steps", None, "result.steps: one value a run; give over=KEY .*piston.mass_ratio"),
-        ("scheme", None, "scheme: one value a run; give over=KEY"),
-        ("result.step", None, "result.step: no run has that; .* as result.*result.steps"),
-    ],
-)
-def test_what_cannot_be_compared_is_told_apart_from_what_is_not_there(runs, variable, over, said):
-    table = select(find([runs]), "kind == 'piston'")
-    with pytest.raises(InputError, match=said):
-        draw(table, variable, over)
-
-
-def test_units_stay_whole_at_the_end_of_long_labels(runs):
-    table = select(find([runs]), "kind == 'piston'")
-    long = "velocity of the piston along its long axis, positive up"
-    assert _axis(long, "m s-1").splitlines()[-1].endswith("[m s-1]")
-    figure = draw(table, "position", None)
-    (axes,) = figure.axes
-    axes.set_ylabel(_axis(long + ", seen by one who stands still on the bank", "kg m-1 s-2"))
-    FigureCanvasAgg(figure).draw()
-    box = axes.yaxis.label.get_window_extent()
-    assert figure.bbox.contains(box.x0, box.y0)
-    assert figure.bbox.contains(box.x1, box.y1)
-
-
-def test_runs_that_failed_are_open_markers_beside_the_line_of_the_others(runs):
-    table = select(find([runs]), "kind == 'piston'")
-    (axes,) = draw(table, "result.position_last", "piston.mass_ratio").axes
-    done, failed = axes.lines
-    assert list(done.get_xdata()) == [0.5, 0.9]
-    assert (done.get_linestyle(), done.get_markerfacecolor()) == ("-", done.get_color())
-    assert list(failed.get_xdata()) == [2.0]
-    assert (failed.get_linestyle(), failed.get_markerfacecolor()) == ("None", "none")
-    assert failed.get_color() == done.get_color()
-    assert failed.get_label() == "diverged"
-    (axes,) = draw(table[table["status"] == "diverged"], "result.steps", "piston.mass_ratio").axes
-    assert axes.get_legend_handles_labels()[1] == ["diverged"]
-
-
-def test_axes_have_the_units_that_are_known(runs):
-    table = select(find([runs]), "kind == 'piston'")
-    labels = []
-    for variable in ("position_last", "predicted_contraction", "iterations_mean", "steps"):
-        (axes,) = draw(table, f"result.{variable}", "time.periods", unit).axes
-        labels.append(axes.get_ylabel())
-    assert labels == [
-        "result.position_last [m]",
-        "result.predicted_contraction [-]",
-        "result.iterations_mean [-]",
-        "result.steps",
-    ]
-    assert axes.get_xlabel() == "time.periods"
-    (axes,) = draw(table, "result.position_last", "piston.length", unit).axes
-    assert axes.get_xlabel() == "piston.length [m]"
-
-
-def test_an_entry_of_a_matrix_has_its_own_units(tmp_path):
-    run = api.run("added_mass", "mesh=coarse", "accuracy=coarse")
-    run.to_netcdf(tmp_path / "added_mass.nc", engine="h5netcdf")
-    labels = []
-    for mode in ("heave", "pitch"):
-        variable = f"result.added_mass_{mode}"
-        (axes,) = draw(find([tmp_path]), variable, "hull.draft", unit).axes
-        labels.append(axes.get_ylabel())
-    assert labels == ["result.added_mass_heave [kg m-1]", "result.added_mass_pitch [kg m]"]
-
-
-def test_a_run_of_one_point_is_seen(tmp_path):
-    keys = "mesh=coarse", "accuracy.near=0.4", "time.periods=0.05", "current=1"
-    for name in ("printed", "printed_standard"):
-        run = api.run("transient", *keys, f"coupling={name}")
-        run.to_netcdf(tmp_path / f"{name}.nc", engine="h5netcdf")
-    (axes,) = draw(find([tmp_path]), "heave", None).axes
-    looks = {line.get_label(): (len(line.get_xdata()), line.get_marker()) for line in axes.lines}
-    assert looks["coupling = printed_standard: diverged"] == (1, "o")
-    assert looks["coupling = printed: completed"][1] == "None"
-
-
-def test_runs_that_coincide_are_all_seen(runs):
-    row = find([runs / "deep/0.5"])
-    table = pd.concat([row] * 4, ignore_index=True).assign(current=range(4))
-    (axes,) = draw(table, "position", None).axes
-    widths = [line.get_linewidth() for line in axes.lines]
-    assert widths == sorted(set(widths), reverse=True)
-    dashes = [line.get_linestyle() for line in axes.lines]
-    assert dashes[0] != dashes[1]
-    lost = find([runs / "deep/2.0"])
-    table = pd.concat([lost] * 3, ignore_index=True).assign(current=range(3))
-    (axes,) = draw(table, "position", None).axes
-    sizes = [line.get_markersize() for line in axes.lines]
-    assert sizes == sorted(set(sizes), reverse=True)
-    assert {line.get_markerfacecolor() for line in axes.lines} == {"none"}
-
-
-def test_runs_that_differ_are_equally_thick(runs):
-    table = select(find([runs]), "kind == 'piston' and status != 'diverged'")
-    (axes,) = draw(table, "position", None).axes
-    assert len(axes.lines) == 2
-    assert len({(line.get_linewidth(), line.get_linestyle()) for line in axes.lines}) == 1
-    both = pd.concat([table, table.iloc[:1]], ignore_index=True).assign(current=range(3))
-    (axes,) = draw(both, "position", None).axes
-    widths = [line.get_linewidth() for line in axes.lines]
-    assert widths[0] > widths[1] == widths[2]
-
-
-def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():
-    table = pd.DataFrame(
-        {"modes": ['["heave"]', '["heave"]', None], "hull.draft": [8.0, 9.0, 10.0], "kind": "x"}
-    )
-    assert telling(table) == ["hull.draft"]
-    assert telling(table.assign(**{"hull.draft": [8.0, 9.0, 9.0]})) == ["hull.draft", "modes"]
-
-
-def test_runs_without_the_variable_are_skipped_and_counted(runs, tmp_path, caplog):
-    out = tmp_path / "compare.png"
-    write_compare(CompareCase(runs=str(runs), where="", variable=None, over=None), out)
-    assert out.exists()
-    (axes,) = draw(find([runs]), "position", None).axes
-    assert len(axes.lines) == len(RATIOS)
-    draw(find([runs]), "result.position_last", "piston.mass_ratio")
-    assert [record.getMessage() for record in caplog.records] == [
-        "1 of 4 runs skipped: without position",
-        "1 of 4 runs skipped: without position",
-        "1 of 4 runs skipped: without result.position_last and piston.mass_ratio",
-    ]
-
-
-def test_a_legend_names_the_choice_rather_than_its_parts(runs):
-    table = pd.DataFrame(
-        {
-            "file": sorted(map(str, runs.glob("deep/*/piston.nc"))),
-            "kind": "piston",
-            "status": "converged",
-            "coupling.accelerator.name": ["none", "none", "iqn_ils"],
-            "coupling.scheme": ["standard", "corrected", "consistent"],
-            "coupling.name": ["printed_standard", "printed", "consistent_quasi_newton"],
-            "hull.length": [40.0, 30.0, 20.0],
-            "hull.shape": ["rectangle", "lewis", "v"],
-        }
-    )
-    (axes,) = draw(table, "position", None).axes
-    labels = {line.get_label() for line in axes.lines}
-    assert labels == {f"coupling = {name}" for name in table["coupling.name"]}
-    (axes,) = draw(table.drop(columns="coupling.name").iloc[:2], "position", None).axes
-    assert [line.get_label() for line in axes.lines] == ["hull = lewis", "hull = rectangle"]
-
-
-def test_the_command_writes_both_pictures(runs, squat, tmp_path):
-    done = squat("task=compare", f"runs={runs / 'deep'}")
-    assert done.returncode == 0, done.stderr
-    assert (tmp_path / "compare.png").read_bytes().startswith(b"\x89PNG")
-    assert "<svg" in (tmp_path / "compare.svg").read_text()
 
 
 @pytest.mark.parametrize("runs", ["", ("deep", "")])

@@ -1,0 +1,78 @@
+"""A headline figure of each run over a key of its configuration, or over another figure."""
+
+from collections.abc import Callable
+from numbers import Real
+from typing import Any
+
+import pandas as pd
+from h5netcdf import File
+from matplotlib.axes import Axes
+
+from squat import catalogue
+from squat.figures.labels import axis_label, named, telling
+from squat.figures.style import CYCLE
+
+Units = Callable[[str, str], str | None]
+"""Units of a configured key, by the kind of the run and the key."""
+_DONE = ("completed", "converged", "turned")
+"""How runs end that have a result; kinds that have no status always do."""
+
+
+def draw_points(axes: Axes, table: pd.DataFrame, variable: str, over: str, units: Units) -> None:
+    """A headline figure over a key; a line for each combination of the other keys that vary.
+
+    Over names dots: nothing is between those. Runs that failed are open markers: what they hold
+    is the state in which they stopped.
+    """
+    keys = [
+        name for name in telling(_without_synonyms(table, over)) if name not in (variable, over)
+    ]
+    groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
+    axes.set_xlabel(_column(over, table, units))
+    axes.set_ylabel(_column(variable, table, units))
+    axes.set_prop_cycle(CYCLE)
+    between: Any = {} if table[over].map(_is_number).all() else {"ls": ""}
+    for values, group in groups:
+        label = named(dict(zip(keys, values, strict=True)))
+        done = group["status"].isna() | group["status"].isin(_DONE)
+        ordered = group[done].sort_values(over)
+        shown = label if done.any() else None
+        (line,) = axes.plot(
+            ordered[over], ordered[variable], marker="o", ms=4, label=shown, **between
+        )
+        for status, failed in group[~done].groupby("status"):
+            name = ": ".join(filter(None, [label, str(status)]))
+            look: Any = {"ls": "", "marker": "o", "mfc": "none", "color": line.get_color()}
+            axes.plot(failed[over], failed[variable], ms=4, label=name, **look)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def _without_synonyms(table: pd.DataFrame, over: str) -> pd.DataFrame:
+    """`table` less the choice that `over` is part of, and its other parts, if they tell the same.
+
+    Over `mesh.near`, `mesh=coarse` and `mesh=fine` make one line, not two of a point.
+    """
+    group = over.partition(".")[0]
+    same = [
+        name
+        for name in table.columns
+        if name != over
+        and (name == group or name.startswith(f"{group}."))
+        and catalogue.implies(table, name, over)
+        and catalogue.implies(table, over, name)
+    ]
+    return table.drop(columns=same)
+
+
+def _column(name: str, table: pd.DataFrame, units: Units) -> str:
+    """A column of the catalogue with its units, where they are known."""
+    first = table.iloc[0]
+    if name.startswith(catalogue.RESULT):
+        with File(first["file"], "r") as file:
+            found = catalogue.units(name.removeprefix(catalogue.RESULT), file)
+    else:
+        found = units(first["kind"], name)
+    return name if found is None else axis_label(name, found)
