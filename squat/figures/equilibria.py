@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from squat import published
+from squat.figures.labels import flattened
 from squat.figures.style import BLUE, PURPLE, RED, single
 
 
@@ -34,6 +35,7 @@ def fig10(data: xr.Dataset) -> Figure:
     axes.set(xlim=(speed[0], speed[-1]), ylim=(low, -0.15 * bottom))
     axes.set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
     axes.set_ylabel("vertical position $w$ [m]")
+    axes.set_title(flattened(data), fontsize=9, loc="right")
     figure.legend(loc="outside upper center", ncols=3)
     return figure
 

@@ -20,7 +20,8 @@ def number(value: float) -> str:
     """`value` in few digits, none of which reads as another number upside down: 6.0, not 6 or 9."""
     text = f"{value:g}".replace("-", "\N{MINUS SIGN}")
     digits = set(text) - {"\N{MINUS SIGN}"}
-    return f"{text}.0" if digits <= set("0689") and digits & set("69") else text
+    turned = digits <= set("0689") and digits & set("69") and not text.endswith("0")
+    return f"{text}.0" if turned else text
 
 
 def label(axes: Axes, lines: Sequence[tuple[float, Vector]], rim: Vector, scale: Vector) -> None:

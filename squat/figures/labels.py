@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from squat import catalogue
+from squat import catalogue, records
 from squat.catalogue.flat import row_of
 
 _LAST = 99  # more dots than any key has
@@ -59,6 +59,16 @@ def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
         stream = "" if speed is None else f"$V_\\infty$ = {speed:g} m/s"
         labels.append(", ".join(filter(None, [stream, named({str(k): v for k, v in row.items()})])))
     return labels
+
+
+def flattened(*runs: xr.Dataset) -> str:
+    """What to say where the one-dimensional model and the ground ignore a bottom of `runs`."""
+    depths = {
+        channel["depth"]
+        for channel in (records.config_of(run)["channel"] for run in runs)
+        if channel["bottom"]
+    }
+    return f"1D and ground: bottom flat at {min(depths):g} m" if depths else ""
 
 
 def axis_label(name: str, units: str) -> str:

@@ -10,12 +10,14 @@ from matplotlib.figure import Figure
 
 from squat import records
 from squat.errors import InputError
-from squat.figures.labels import of_ships
+from squat.figures.labels import flattened, of_ships
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
 from squat.quantities import Vector
 from squat.stability.keel import keel_pressure, squat_speed, underside
 
 _SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: corners are singular
+_ROOT = "root, Eq. (27)"
+_FLAT = "bottom flat at the channel's depth"
 _FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
 
@@ -44,7 +46,7 @@ def fig11(*runs: xr.Dataset) -> Figure:
         axes.set_xlim(0, end)
         if name in plan[-1]:
             axes.set_xlabel("$\\omega t$ [-]")
-    columns = 1 if "box" in root else 3
+    columns = 3 if root == _ROOT else 1
     figure.legend(list(drawn.values()), list(drawn), loc="outside upper center", ncols=columns)
     return figure
 
@@ -62,7 +64,8 @@ def _free(run: xr.Dataset) -> list[str]:
 def _root(runs: Sequence[xr.Dataset]) -> str:
     """What to call a root of Eq. (27), which takes each of the hulls for a box."""
     boxes = all(records.config_of(run)["hull"]["shape"] == "rectangle" for run in runs)
-    return "root, Eq. (27)" if boxes else "root of Eq. (27), a box of this length and draft"
+    name = _ROOT if boxes else "root of Eq. (27), a box of this length and draft"
+    return f"{name}, {_FLAT}" if flattened(*runs) else name
 
 
 def _rootless(run: xr.Dataset) -> str:
@@ -117,8 +120,9 @@ def fig12(run: xr.Dataset) -> Figure:
     axes.plot(x, pressure / 1000, color=BLUE, label="2D (the corners are singular)")
     gap = depth - config["hull"]["draft"] + float(end["heave"])
     one = float(keel_pressure(density, run.attrs["current"], depth, gap)) / 1000
+    uniform = "1D, uniform under the hull" + (f", {_FLAT}" if flattened(run) else "")
     ends = run["hull_x"].values.min(), run["hull_x"].values.max()
-    axes.plot(ends, [one] * 2, color=RED, ls="--", label="1D, uniform under the hull")
+    axes.plot(ends, [one] * 2, color=RED, ls="--", label=uniform)
     axes.set_xlabel("$x$ from the bow, along the hull's underside [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")
     title = f"$V_\\infty$ = {run.attrs['current']:g} m/s, $\\omega t$ = {float(end['phase']):.2f}"

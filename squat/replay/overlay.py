@@ -2,7 +2,6 @@
 
 import numpy as np
 import rerun.blueprint as rrb
-import xarray as xr
 
 from squat.quantities import Vector
 from squat.replay.panels import Draw, Place, panel
@@ -15,6 +14,8 @@ _LINKED = 30.0
 """Time [s] before and after the one played that diagrams with linked axes show."""
 _NAME, _LEGEND = 0.12, 0.5
 """Share of a diagram's height that a name in its legend takes, and that all may take."""
+_EDGE = 0.06
+"""Share of what curves span that is left above and below where one of them is a dot."""
 Named = list[tuple[str, Vector]]
 """Names in the legend with the values of their curves."""
 
@@ -54,7 +55,7 @@ def _last(runs: tuple[Run, ...]) -> float:
 def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
     """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them.
 
-    A share `room` of it, on top, is left to the legend.
+    A share `room` of it, on top, is left to the legend; dots stand off its ends.
     """
     told = np.concatenate([values[np.isfinite(values)] for _, values in shown])
     if not told.size:
@@ -63,7 +64,8 @@ def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
     if high - low < least:
         middle = (low + high) / 2
         return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - room) - 0.5)))
-    full = low, high + (high - low) * room / (1 - room)
+    edge = _EDGE * (high - low) if any(values.size == 1 for _, values in shown) else 0.0
+    full = low - edge, high + edge + (high - low) * room / (1 - room)
     wide = ticked(*full)
     return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
 
@@ -78,7 +80,7 @@ def _overlaid(plot: Plot) -> Draw:
                 if run.label and not curve.compared:
                     continue
                 own = bool(run.label) and not _one_for_all(curve, runs)
-                clock, told = _rows(run, curve.values(run.data))
+                clock, told = _rows(run, curve)
                 color = _color(curve, run, number) if own else curve.color
                 path = entity(run, "plots", plot.name, curve.name)
                 label = _name(plot, curve, run) if own else curve.label
@@ -110,11 +112,13 @@ def _name(plot: Plot, curve: Curve, run: Run) -> str:
     return run.label if alone else run.said(curve.label)
 
 
-def _rows(run: Run, values: xr.DataArray) -> tuple[Clock, Vector]:
-    """Rows of a curve; a constant has one at either end."""
+def _rows(run: Run, curve: Curve) -> tuple[Clock, Vector]:
+    """Rows of a curve; a constant has one at either end, or at the last moment alone."""
+    values = curve.values(run.data)
     if values.ndim:
         return run.steps, np.asarray(values.values, float)
-    return run.span, np.full(len(run.span.time), float(values))
+    clock = run.span.at([-1]) if curve.last else run.span
+    return clock, np.full(len(clock.time), float(values))
 
 
 def _differing(plot: Plot) -> Draw:

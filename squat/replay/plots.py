@@ -21,7 +21,8 @@ class Curve(NamedTuple):
 
     `compared` curves are overlaid where there are several runs, and their differences drawn; a
     `width` [points] beyond the others' shows a curve below one that it should agree with. Where
-    constants of several runs differ they are in the runs' colours, lighter or darker by `shade`.
+    constants of several runs differ they are in the runs' colours, lighter or darker by `shade`. A
+    constant that is of the run's `last` moment is a dot there.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Curve(NamedTuple):
     compared: bool = False
     width: float = 1.5
     shade: float = 0.0
+    last: bool = False
 
 
 class Plot(NamedTuple):
@@ -174,7 +176,7 @@ PLOTS = (
         ("contraction", "predicted_contraction"),
         (
             Curve("expected", variable("predicted_contraction"), "predicted G", ORANGE, width=4),
-            Curve("failed_step", failed_contraction, "measured, failed step", RED),
+            Curve("failed_step", failed_contraction, "measured, failed step", RED, True, last=True),
             Curve("measured", variable("contraction"), "measured", SKY, compared=True),
         ),
         least_span=0.02,

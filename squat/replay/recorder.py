@@ -12,6 +12,7 @@ from squat.quantities import Vector
 from squat.replay.runs import Clock, Run
 from squat.replay.style import rgba
 
+_DOT = 4.0  # size of the only point of a curve, points
 _BATCH = 16  # frames in a chunk: some megabyte of mesh, which the viewer loads and drops at once
 
 
@@ -56,10 +57,13 @@ class Recorder:
     def series(
         self, path: str, clock: Clock, values: Vector, name: str, color: str, width: float = 1.5
     ) -> None:
-        """A line of a time plot, shape (rows,); rows that are not a number are left out."""
+        """A line of a time plot, shape (rows,), of one row a dot; what is no number is left out."""
         told = np.isfinite(values)
         if not told.any():
             return  # a chunk without rows makes the viewer's time panel fail
-        line = rr.SeriesLines.columns(names=[name], colors=rgba(color), widths=[width])
-        self.static(path, line)
+        if told.sum() == 1:
+            look = rr.SeriesPoints.columns(names=[name], colors=rgba(color), marker_sizes=[_DOT])
+        else:
+            look = rr.SeriesLines.columns(names=[name], colors=rgba(color), widths=[width])
+        self.static(path, look)
         self.rows(path, clock.at(told), rr.Scalars.columns(scalars=values[told]))
