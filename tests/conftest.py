@@ -6,10 +6,30 @@ import sys
 from pathlib import Path
 
 import pytest
+from xdist.scheduler import LoadScopeScheduling
 
 from squat.config import compose, validate
 
 ROOT = Path(__file__).parents[1]
+LONGEST = ("tests/workflow/", "tests/paper/", "tests/docs/", "tests/faults/", "tests/cli/")
+"""Folders that begin first, so that no worker waits for another at the end."""
+
+
+class Scheduling(LoadScopeScheduling):
+    """A module to a worker, all of the paper's to one: they share datasets that take a minute."""
+
+    def _split_scope(self, nodeid):
+        return "tests/paper" if nodeid.startswith("tests/paper/") else super()._split_scope(nodeid)
+
+
+def pytest_xdist_make_scheduler(config, log):
+    config.option.loadscopereorder = False  # by the number of tests, which says nothing of time
+    return Scheduling(config, log)
+
+
+def pytest_collection_modifyitems(items):
+    first = {folder: place for place, folder in enumerate(LONGEST)}
+    items.sort(key=lambda item: first.get("/".join(item.nodeid.split("/")[:2]) + "/", len(first)))
 
 
 @pytest.fixture(scope="session")

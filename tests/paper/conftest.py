@@ -47,8 +47,8 @@ def sources():
     return Sources(
         iterations=computed(study, "iterations"),
         equilibria=computed(run, "equilibria"),
-        table4=computed(inertia.run, "inertia", f"{cells}table4_small"),
-        table5=computed(inertia.run, "inertia", f"{cells}table5_small"),
+        table4=computed(inertia.run, "inertia", f"{cells}table4_small", "accuracy=study"),
+        table5=computed(inertia.run, "inertia", f"{cells}table5_small", "accuracy=study"),
         table6=computed(added_mass.run, "added_mass"),
         limits=computed(limits.run, "limits", "accuracy=study"),
         trim=computed(trim.run, "trim", "cases/trim@_global_=small"),
