@@ -66,7 +66,7 @@ def flattened(*runs: xr.Dataset) -> str:
     depths = {
         channel["depth"]
         for channel in (records.config_of(run)["channel"] for run in runs)
-        if channel["bottom"]
+        if channel.get("bottom")
     }
     return f"1D and ground: bottom flat at {min(depths):g} m" if depths else ""
 
