@@ -22,6 +22,7 @@ class Scheduling(LoadScopeScheduling):
         return "tests/paper" if nodeid.startswith("tests/paper/") else super()._split_scope(nodeid)
 
 
+@pytest.hookimpl(optionalhook=True)  # the plugin may be off
 def pytest_xdist_make_scheduler(config, log):
     config.option.loadscopereorder = False  # by the number of tests, which says nothing of time
     return Scheduling(config, log)

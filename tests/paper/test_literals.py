@@ -3,6 +3,7 @@
 import io
 import re
 import tokenize
+from functools import cache
 from pathlib import Path
 
 import pandas as pd
@@ -14,6 +15,7 @@ ROOT = Path(__file__).parents[2]
 PUBLISHED = ROOT / "squat" / "published"
 
 
+@cache
 def printed_results():
     """Printed numbers distinctive enough to be recognised: three digits, or two decimals."""
     inputs = {"table1_piston_parameters.csv"}
