@@ -10,6 +10,18 @@ from omegaconf.errors import OmegaConfBaseException
 
 from squat.config.raw import merged
 
+_CALLED = {
+    **dict.fromkeys(("speed", "velocity", "v", "v_inf"), "current"),
+    **dict.fromkeys(("h", "water_depth"), "channel.depth"),
+    **dict.fromkeys(("heave", "w", "w0", "sinkage"), "initial_heave"),
+    **dict.fromkeys(("pitch", "trim"), "initial_pitch"),
+    "t": "hull.draft",
+    "l": "hull.length",
+    "rho": "water.density",
+    "g": "water.gravity",
+}
+"""Keys by what others call them: words and symbols of the field."""
+
 
 def near(key: str, arguments: Sequence[str]) -> str:
     """The dotted key of the configuration that is most like `key`; empty: none is.
@@ -24,8 +36,17 @@ def near(key: str, arguments: Sequence[str]) -> str:
             config = OmegaConf.to_container(merged(tried).config)
         except (HydraException, OmegaConfBaseException, ValueError):
             continue
-        return next(iter(difflib.get_close_matches(key, list(_keys(config)), n=1)), "")
+        return _likest(key, list(_keys(config)))
     return ""
+
+
+def _likest(key: str, keys: list[str]) -> str:
+    """What the field calls so, else the key whose name or end is spelt most like it."""
+    meant = _CALLED.get(key.lower())
+    if meant in keys:
+        return meant
+    spelt = {one.rpartition(".")[2]: one for one in reversed(keys)} | {one: one for one in keys}
+    return next((spelt[one] for one in difflib.get_close_matches(key, spelt, n=1)), "")
 
 
 def _keys(config: Any, prefix: str = "") -> Iterator[str]:

@@ -97,6 +97,10 @@ def test_every_run_task_composes_without_overrides(task):
             "hull.lenth=2: unknown key; did you mean 'hull.length'",
         ),
         (["hull=lewis", "out=x.nc", "hull.segment=8"], "hull.segment=8: unknown key; did you mean"),
+        (["depth=9"], "depth=9: unknown key; did you mean 'channel.depth'? squat"),
+        (["drft=9"], "drft=9: unknown key; did you mean 'hull.draft'? squat"),
+        (["velocity=2"], "velocity=2: unknown key; did you mean 'current'? squat"),
+        (["V_inf=2"], "V_inf=2: unknown key; did you mean 'current'? squat"),
         (["zzz.qqq=1"], "zzz.qqq=1: unknown key; squat task=NAME --cfg job lists the keys"),
     ],
 )
