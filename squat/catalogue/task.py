@@ -65,7 +65,10 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
 
 
 def _text(frame: pd.DataFrame) -> str:
-    return str(frame.to_string(index=False, na_rep="-", float_format="{:.6g}".format))
+    told = frame.copy()
+    for name in [name for name in frame if frame[name].dtype.kind == "O"]:
+        told[name] = frame[name].where(frame[name].notna(), "-")
+    return str(told.to_string(index=False, na_rep="-", float_format="{:.6g}".format))
 
 
 def _fitting(frame: pd.DataFrame) -> pd.DataFrame:

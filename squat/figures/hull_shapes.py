@@ -76,5 +76,7 @@ def _sinkages(axes: Axes, data: xr.Dataset, rows: np.ndarray) -> None:
         rows, -data["equilibrium"], height=0.45, color=ORANGE, label=f"sinkage at {current:g} m/s"
     )
     axes.plot(-data["sinkage_2d"], rows, "s", color=BLUE, mfc="white", label="sinkage at the fold")
-    axes.set(xlim=(0, None), xlabel="sinkage $-w$ [m]")
-    axes.set_title("which sinks least?", fontsize=10)
+    widest = np.nanmax([-data["sinkage_2d"], -data["equilibrium"]], initial=0)
+    axes.set(xlim=(0, 1.06 * widest), xlabel="sinkage $-w$ [m]")
+    none = "" if np.isfinite(data["equilibrium"]).any() else f": none floats at {current:g} m/s"
+    axes.set_title(f"which sinks least?{none}", fontsize=10)

@@ -79,6 +79,7 @@ def run(case: AddedMassCase) -> xr.Dataset:
         "inertia_coefficient_mesh": raw.matrix[heave, heave] / circle,
         "ship_mass": case.mass,
         "mass_ratio": rho * value[heave, heave] / case.mass,
+        "mass_ratio_error": rho * error[heave, heave] / case.mass,
         "pressure": rho * raw.nodal_potentials(),
         "node_x": mesh.points[:, 0],
         "node_z": mesh.points[:, 1],

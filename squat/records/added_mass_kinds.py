@@ -42,6 +42,7 @@ ADDED_MASS = Kind(
         "inertia_coefficient_mesh": Variable((), "1", "i on the given mesh"),
         "ship_mass": Variable((), MASS, "mass of the displaced water"),
         "mass_ratio": Variable((), "1", "m_add/m of heave, extrapolated"),
+        "mass_ratio_error": Variable((), "1", "absolute error of mass_ratio", required=False),
         "pressure_units": Variable(
             ("mode",), "1", "units of each mode's pressure", False, label=True
         ),

@@ -28,9 +28,13 @@ def snapshot_times(fields: xr.Dataset) -> Vector:
 
 
 class Scales(NamedTuple):
-    """What colours and arrows mean: ends of the colours [kPa], speed [m/s] of an arrow's length."""
+    """What colours and arrows mean, in all runs of a recording.
+
+    Ends of the colours, least and greatest pressure [kPa]; speed [m/s] of an arrow's length.
+    """
 
     limits: tuple[float, float]
+    seen: tuple[float, float]
     speed: float
 
     @classmethod
@@ -41,7 +45,8 @@ class Scales(NamedTuple):
             return None
         values = np.concatenate([dynamic_pressure(run).ravel() for run in shown])
         speed = max(float(run.data.attrs["current"]) for run in shown)
-        return cls(color_limits(values), speed or _greatest_speed(shown) or 1.0)
+        seen = float(np.nanmin(values)), float(np.nanmax(values))
+        return cls(color_limits(values), seen, speed or _greatest_speed(shown) or 1.0)
 
 
 def _greatest_speed(runs: list[Run]) -> float:
@@ -64,7 +69,7 @@ def draw_field(
     points = np.stack([fields["x"].values, fields["z"].values], axis=-1)
     _mesh(recorder, f"{origin}/mesh", run, points, pressure, limits)
     draw_wires(recorder, f"{origin}/wires", run, points)
-    words = bar_numbers(limits, (float(np.nanmin(pressure)), float(np.nanmax(pressure))))
+    words = bar_numbers(limits, scales.seen)
     _legend(recorder, f"{origin}/color_bar", depth, ends, limits, words)
     _arrows(recorder, f"{origin}/velocity", run, points, depth / _LEVELS, scales.speed)
 

@@ -57,7 +57,7 @@ def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
 
     A share `room` of it, on top, is left to the legend; dots stand off its ends.
     """
-    told = np.concatenate([values[np.isfinite(values)] for _, values in shown])
+    told = np.concatenate([np.empty(0), *(values[np.isfinite(values)] for _, values in shown)])
     if not told.size:
         return None
     low, high = float(told.min()), float(told.max())
@@ -131,6 +131,8 @@ def _differing(plot: Plot) -> Draw:
         for number, run in enumerate(others, 1):
             for curve in _varying(plot, run):
                 clock, values = difference(first, run, curve.values)
+                if len(values) < 2:  # the start alone is no common time
+                    continue
                 name = _name(plot, curve, run)
                 shown.append((name, values))
                 path = entity(run, "differences", plot.name, curve.name)
@@ -144,7 +146,7 @@ def _differing(plot: Plot) -> Draw:
 
 
 def _titled(plot: Plot, first: Run, others: list[Run]) -> str:
-    """Title of differences, with what is missing: the start alone is no common time."""
+    """Title of differences, with what is missing."""
     apart = [run.label for run in others if min(len(run.steps.time), len(first.steps.time)) < 2]
     if len(apart) == len(others):
         return f"Δ {plot.title}: no common time"

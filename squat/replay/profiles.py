@@ -14,6 +14,7 @@ from squat.replay.style import ORANGE, RED, SKY, run_color
 from squat.stability.keel import keel_pressure, underside
 
 _SEEN = (0.05, 0.95)  # shares of the 2D values that the axes hold: corners are singular
+_FAR = 5.0  # 1D values over this many spans of those would hide them
 
 
 def keel(run: Run) -> NDArray[np.int64]:
@@ -45,12 +46,12 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     """Dynamic pressure along the keel, beside the uniform one of Eq. (27)."""
     fields, uniform = [dynamic_pressure(run) for run in runs], [uniform_pressure(r) for r in runs]
     x = [run.data["hull_x"].values[keel(run)] for run in runs]
-    levels = np.concatenate(uniform).tolist()
+    seen = [0.0, *np.ravel([np.quantile(field, _SEEN) for field in fields])]
     chart = Chart(
         "keel_pressure",
         "Pressure under the keel; level line: 1D, Eq. (27)",
         _span([float(end) for along in x for end in (along[0], along[-1])], 0.0),
-        _span([0.0, *(float(v) for field in fields for v in np.quantile(field, _SEEN)), *levels]),
+        _span([*seen, *_levels(np.concatenate(uniform), float(np.ptp(seen)))]),
         "x from the bow [m]",
         "pressure less hydrostatic [kPa]",
     )
@@ -64,14 +65,24 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     return [chart.view(recorder, runs)]
 
 
+def _levels(levels: Vector, span: float) -> Vector:
+    """Ends of the 1D values; of their bulk where some lie far beyond the 2D `span`: gaps close."""
+    far = np.ptp(levels) > _FAR * span
+    return np.quantile(levels, _SEEN if far else (0, 1))
+
+
 @panel("residuals", Place.PROFILE, ("residual", "failed_residual", "iterations"))
 def residuals(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
     """Residual of every iteration of the step shown, and of the step that failed."""
     taken = [_lines(run.data["residual"].values) for run in runs]
     failed = [_line(run.data["failed_residual"].values) for run in runs]
-    accepted = [line for lines in taken for line in lines if len(line)]
-    # A step that fails takes so many iterations that no other could be seen beside it.
-    points = accepted or [line for line in failed if len(line)]
+    # Beside a step that fails none that is accepted could be seen: of each run what it has.
+    points = [
+        line
+        for lines, failure in zip(taken, failed, strict=True)
+        for line in ([line for line in lines if len(line)] or [failure])
+        if len(line)
+    ]
     if not points:
         return []
     both = np.concatenate(points)

@@ -108,10 +108,11 @@ class Run:
 
     @property
     def ended(self) -> str:
-        """How the run ended, and when: `diverged at 0 s`; `ends at 9 s` of one that went well."""
+        """How and when the run ended: `ends at 9 s`, or `diverged in the step to 0.2 s`."""
         status = str(self.data.attrs["status"])
         how = "ends" if status in _WELL else status
-        return f"{how} at {self.steps.time[-1]:.4g} s"
+        when = "at" if self.failure is None else "in the step to"
+        return f"{how} {when} {self.span.time[-1]:.4g} s"
 
     def told(self, title: str) -> str:
         """`title` of a picture with the run's label and end; of a single run an early one only."""

@@ -73,7 +73,9 @@ def alike(case: HullShapesCase, name: str) -> AnyHull:
         hull = resized(case.hulls[name], draft=case.draft)
         return stretched(hull, case.displacement)
     except InputError as error:
-        raise InputError(f"hulls.{name}: {error}") from error
+        raise InputError(
+            f"hulls.{name}: {error}; change hulls.{name}.KEY, or leave it out by '~hulls.{name}'"
+        ) from error
 
 
 def _named(case: HullShapesCase, name: str, hull: AnyHull) -> Shape:
