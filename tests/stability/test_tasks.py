@@ -198,6 +198,7 @@ def test_formulas_follow_their_scaling():
         ("Schijf", {}, "needs width= of the channel"),
         ("Barrass", {"width": 1000.0}, "S = 0.0256 is outside 0.1 to 0.266"),
         ("Tuck/ICORELS", {"beam": None}, "needs beam= of the ship"),
+        ("Tuck/ICORELS", {"width": 200.0}, "for open water; leave width= out"),
         ("Tuck/ICORELS", {"speed": 10.0}, "Fr_h = 0.824 is outside 0 to 0.7"),
         ("Huuska/Guliev", {"block": 0.9}, "C_B = 0.9 is outside 0.6 to 0.8"),
         ("Eryuzlu", {"depth": 40.0}, "H/T = 3.33 is outside 1.1 to 2.5"),

@@ -1,0 +1,12 @@
+"""The part of a hull that faces down."""
+
+import numpy as np
+
+from squat.stability.keel import underside
+
+
+def test_the_underside_of_a_box_is_its_keel_and_of_a_slope_what_is_less_steep_than_45_degrees():
+    box = np.array([(0, 5), (0, 0), (10, 0), (10, 5)], float)
+    assert underside(*box.T).tolist() == [1, 2]
+    raked = np.array([(0, 3), (2, 0), (10, 0), (15, 3), (15, 5)], float)
+    assert underside(*raked.T).tolist() == [1, 2, 3]
