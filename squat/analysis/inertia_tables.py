@@ -10,7 +10,7 @@ from squat.analysis.lookup import MISSING, Here, LookUp
 from squat.analysis.verdict import MATCH, half_digit, judge
 
 MESH = "here_paper_mesh"
-"""Column of values on the mesh of the paper."""
+"""Column of values on our guess of the paper's mesh, which it does not state."""
 OTHER_READING = "1.5"
 """Row of Table 5 that fits T = 10 m fixed in all its cells, and no other reading."""
 
@@ -105,14 +105,14 @@ def with_mesh(printed: str, here: Here) -> Here:
 
 
 def _by_mesh(printed: str, mesh: float) -> str:
-    """What the mesh of the paper has to do with the print."""
+    """What our guess of the paper's mesh has to do with the print."""
     if judge(printed, mesh) == MATCH:
-        return f"the mesh of the paper lies lower and gives what is printed: {mesh:.4f}"
+        return f"our guess of the paper's mesh lies lower and gives what is printed: {mesh:.4f}"
     if judge(printed, mesh, rounds_down=True) == MATCH:
-        return f"the mesh of the paper lies lower and gives what is printed, cut off: {mesh:.4f}"
+        return f"our guess of the paper's mesh lies lower and gives what is printed, cut off: {mesh:.4f}"
     if abs(float(printed) - mesh) > 3 * half_digit(printed):
-        return f"the mesh of the paper gives {mesh:.4f}, and no reading tried fits: a misprint?"
-    return f"the mesh of the paper gives {mesh:.4f}"
+        return f"our guess of the paper's mesh gives {mesh:.4f}, and no reading tried fits: a misprint?"
+    return f"our guess of the paper's mesh gives {mesh:.4f}"
 
 
 def table5_critical(data: xr.Dataset) -> LookUp:

@@ -27,7 +27,7 @@ PAPER = (
     "calculations relating to dynamic squat, Ocean Engineering 267 (2023) 113280, "
     "doi:10.1016/j.oceaneng.2022.113280"
 )
-_LIBRARIES = ("numpy", "scipy", "xarray", "h5netcdf", "h5py", "hydra-core")
+_LIBRARIES = ("numpy", "scipy", "xarray", "h5netcdf", "h5py", "hydra-core", "gmsh")
 
 
 @cache

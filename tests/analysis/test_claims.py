@@ -123,18 +123,22 @@ def test_a_print_that_is_ours_cut_off_or_rounded_is_told(printed, here, note):
 @pytest.mark.parametrize(
     ("printed", "mesh", "note"),
     [
-        ("1.23", 1.2312, "the mesh of the paper lies lower and gives what is printed: 1.2312"),
+        (
+            "1.23",
+            1.2312,
+            "our guess of the paper's mesh lies lower and gives what is printed: 1.2312",
+        ),
         (
             "0.95",
             0.9942,
-            "the mesh of the paper gives 0.9942, and no reading tried fits: a misprint?",
+            "our guess of the paper's mesh gives 0.9942, and no reading tried fits: a misprint?",
         ),
         (
             "0.86",
             0.8651,
-            "the mesh of the paper lies lower and gives what is printed, cut off: 0.8651",
+            "our guess of the paper's mesh lies lower and gives what is printed, cut off: 0.8651",
         ),
-        ("0.86", 0.8712, "the mesh of the paper gives 0.8712"),
+        ("0.86", 0.8712, "our guess of the paper's mesh gives 0.8712"),
     ],
 )
 def test_a_cell_says_what_the_mesh_of_the_paper_gives(printed, mesh, note):

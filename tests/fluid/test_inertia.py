@@ -1,4 +1,4 @@
-"""Task `inertia`: every cell where its keys say, by extrapolation and on the mesh of the paper."""
+"""Task `inertia`: every cell where its keys say, by extrapolation and on our guess of the paper's mesh."""
 
 import numpy as np
 import pytest
