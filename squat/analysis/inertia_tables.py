@@ -106,13 +106,14 @@ def with_mesh(printed: str, here: Here) -> Here:
 
 def _by_mesh(printed: str, mesh: float) -> str:
     """What our guess of the paper's mesh has to do with the print."""
+    guess = "our guess of the paper's mesh"
     if judge(printed, mesh) == MATCH:
-        return f"our guess of the paper's mesh lies lower and gives what is printed: {mesh:.4f}"
+        return f"{guess} lies lower and gives what is printed: {mesh:.4f}"
     if judge(printed, mesh, rounds_down=True) == MATCH:
-        return f"our guess of the paper's mesh lies lower and gives what is printed, cut off: {mesh:.4f}"
+        return f"{guess} lies lower and gives what is printed, cut off: {mesh:.4f}"
     if abs(float(printed) - mesh) > 3 * half_digit(printed):
-        return f"our guess of the paper's mesh gives {mesh:.4f}, and no reading tried fits: a misprint?"
-    return f"our guess of the paper's mesh gives {mesh:.4f}"
+        return f"{guess} gives {mesh:.4f}, and no reading tried fits: a misprint?"
+    return f"{guess} gives {mesh:.4f}"
 
 
 def table5_critical(data: xr.Dataset) -> LookUp:

@@ -1,4 +1,4 @@
-"""Task `inertia`: every cell where its keys say, by extrapolation and on our guess of the paper's mesh."""
+"""Task `inertia`: every cell where its keys say, extrapolated and on one mesh of linear elements."""
 
 import numpy as np
 import pytest
