@@ -77,6 +77,6 @@ def _sinkages(axes: Axes, data: xr.Dataset, rows: np.ndarray) -> None:
     )
     axes.plot(-data["sinkage_2d"], rows, "s", color=BLUE, mfc="white", label="sinkage at the fold")
     widest = np.nanmax([-data["sinkage_2d"], -data["equilibrium"]], initial=0)
-    axes.set(xlim=(0, 1.06 * widest), xlabel="sinkage $-w$ [m]")
+    axes.set(xlim=(0, 1.07 * widest), xlabel="sinkage $-w$ [m]")
     none = "" if np.isfinite(data["equilibrium"]).any() else f" None floats at {current:g} m/s"
     axes.set_title(f"which sinks least?{none}", fontsize=10)

@@ -1,4 +1,4 @@
-"""Task `inertia`: every cell where its keys say, extrapolated and on one mesh of linear elements."""
+"""Task `inertia`: every cell where its keys say, extrapolated and on one linear mesh."""
 
 import numpy as np
 import pytest
