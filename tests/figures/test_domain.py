@@ -8,6 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
+from squat.figures.isolines import number
 from squat.figures.mesh import fig6
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
@@ -59,6 +60,13 @@ def test_numbers_of_isolines_are_whole_and_read_from_one_side(case, more):
         for text in axes.texts:
             assert (text.get_rotation() + 80) % 360 < 180
             assert text.get_text().strip() not in {"6", "9", "\N{MINUS SIGN}6", "\N{MINUS SIGN}9"}
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(6, "6.0"), (9, "9.0"), (68, "68.0"), (600, "600"), (60, "60"), (12, "12")]
+)
+def test_numbers_that_read_as_others_upside_down_are_told_apart(value, text):
+    assert number(value) == text
 
 
 @pytest.mark.parametrize("more", [("hull=curve",), BARGE])
