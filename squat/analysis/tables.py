@@ -34,6 +34,10 @@ TABLES: dict[str, tuple[Kind, Reader]] = {
 }
 
 
+_TELLING = 0.05
+"""Difference over value beyond which a match owes itself to the few digits of the print."""
+
+
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class TableCase:
     """Which table, from which dataset.
@@ -63,8 +67,9 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
         verdict: Verdict = judge(text, here.value, rounds_down=here.rounds_down)
         if verdict == DIFFERS and here.inconsistent:
             verdict = INCONSISTENT
-        note = "; ".join(filter(None, [here.note, _rounding(text, here) * (verdict == DIFFERS)]))
         apart = difference(text, here.value)
+        remark = _rounding(text, here) if verdict == DIFFERS else _coarse(text, here, apart)
+        note = "; ".join(filter(None, [here.note, remark]))
         rows.append(
             {
                 **keys,
@@ -85,6 +90,13 @@ def _rounding(text: str, here: Here) -> str:
         return ""
     how = ("cut off", "rounded") if not here.rounds_down else ("rounded", "cut off")
     return f"printed {how[0]}, where other cells are {how[1]}"
+
+
+def _coarse(text: str, here: Here, apart: float) -> str:
+    """That a match says little, where the print has so few digits."""
+    if here.rounds_down or not math.isfinite(apart) or abs(apart) <= _TELLING * abs(here.value):
+        return ""
+    return f"a match by the few digits printed, {abs(apart / here.value):.0%} apart"
 
 
 def write_table(case: TableCase, path: Path) -> None:

@@ -13,7 +13,8 @@ _APART = 2  # every which of these points is tried for a number
 _LETTER = 0.6  # width of a digit over its size
 _GAP = "\N{SIX-PER-EM SPACE}"  # in the line before and behind a number
 _ROOM = 0.6  # from a number's middle line to anything else, over its size
-_STEEPEST = -80.0  # degrees; lines that fall more steeply are read upwards, all from one side
+_HALF_HEIGHT = 0.5  # of a number with the white around it, over its size
+_STEEPEST = -70.0  # degrees; lines that fall more steeply are read upwards, all from one side
 
 
 def number(value: float) -> str:
@@ -44,7 +45,7 @@ def label(axes: Axes, lines: Sequence[tuple[float, Vector]], rim: Vector, scale:
             if away.max(initial=0) > _ROOM * _SIZE:
                 place, angle = (part[inside[away.argmax()]] for part in (drawn[n], angles))
                 _write(axes, text, place / scale, float(angle))
-                taken.append(_middle(place, float(angle), half))
+                taken.append(_covered(place, float(angle), half))
                 break
 
 
@@ -64,11 +65,16 @@ def _slopes(line: Vector, half: float) -> Vector:
     return np.asarray((np.degrees(np.arctan2(dy, dx)) - _STEEPEST) % 180 + _STEEPEST)
 
 
-def _middle(place: Vector, angle: float, half: float) -> Vector:
-    """Points along the middle of a number at `place` (2,), turned by `angle`: (k, 2)."""
+def _covered(place: Vector, angle: float, half: float) -> Vector:
+    """Points along the edges and the middle of a number at `place` (2,), turned by `angle`."""
     steps = np.linspace(-half, half, 2 + int(2 * half / _STEP))
     turned = np.radians(angle)
-    return np.asarray(place + steps[:, None] * [np.cos(turned), np.sin(turned)])
+    way, across = np.array([[np.cos(turned), np.sin(turned)], [-np.sin(turned), np.cos(turned)]])
+    lines = [
+        place + steps[:, None] * way + offset * _HALF_HEIGHT * _SIZE * across
+        for offset in (-1, 0, 1)
+    ]
+    return np.concatenate(lines)
 
 
 def _clearance(places: Vector, angles: Vector, half: float, obstacles: Vector) -> Vector:

@@ -14,7 +14,8 @@ from squat.quantities import Vector
 
 _STYLES = (("", "-"), ("_1d", "--"), ("_complete", ":"))
 _LABELS = {"": "2D", "_1d": "1D, local depth", "_complete": "1D, ends and curvature"}
-_POINTS = {"": ".", "_1d": "x", "_complete": "+"}
+_WIDE = {"lw": 4.0, "alpha": 0.4}  # of the 2D lines, under those of 1D that may lie on them
+_POINTS = {"": "o", "_1d": "x", "_complete": "+"}
 _LONGEST = 5.0
 """Width over height of the sketch that is drawn with equal scales, about."""
 _COLORS = (BLUE, ORANGE, GREEN, RED)
@@ -72,7 +73,8 @@ def _passing(axes: Axes, data: xr.Dataset, name: str, label: str, unit: float) -
     for row, color in zip(range(data.sizes["steepness"]), _COLORS, strict=False):
         for suffix, style in _STYLES:
             values = data[f"{name}{suffix}"].values[row] / unit
-            axes.plot(place, values, style, marker=_alone(suffix, place), color=color, lw=1.5)
+            wide: dict[str, Any] = {"lw": 1.5} if suffix else _WIDE
+            axes.plot(place, values, style, marker=_alone(suffix, place), color=color, **wide)
     axes.axvspan(0, 1, color="0.93", zorder=0, lw=0)
     axes.set_ylabel(label)
 
@@ -83,7 +85,7 @@ def _legend(axes: Axes, data: xr.Dataset) -> None:
         for steepness, color in zip(data["steepness"].values, _COLORS, strict=False)
     ]
     lines += [
-        Line2D([], [], color="k", ls=style, label=_LABELS[suffix])
+        Line2D([], [], color="k", ls=style, label=_LABELS[suffix], **({} if suffix else _WIDE))
         for suffix, style in _STYLES
         if _known(data, f"force{suffix}")
     ]
@@ -107,7 +109,7 @@ def _errors(axes: Axes, data: xr.Dataset) -> None:
     axes.xaxis.set_major_locator(FixedLocator(gap.tolist()))
     axes.xaxis.set_major_formatter("{x:g}")
     axes.xaxis.set_minor_locator(NullLocator())
-    axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(0.0, 0.5))
+    axes.legend(fontsize=7.5, loc="center left", bbox_to_anchor=(0.0, 0.57))
 
 
 def _measures(axes: Axes, data: xr.Dataset) -> None:
@@ -115,12 +117,10 @@ def _measures(axes: Axes, data: xr.Dataset) -> None:
     gap = data["gap_over_length"].values
     if len(gap) == 1:
         return
-    label: str | None = "error of the 2D values"
-    for name in ("slender_force", "slender_moment"):
-        if _known(data, f"{name}_error"):
-            noise = data[f"{name}_error"].values / np.abs(data[name].values)
-            axes.loglog(gap, noise, color="0.6", lw=1, label=label)
-            label = None
+    for name, style in (("force", "-"), ("moment", "-.")):
+        if _known(data, f"slender_{name}_error"):
+            noise = data[f"slender_{name}_error"].values / np.abs(data[f"slender_{name}"].values)
+            axes.loglog(gap, noise, style, color="0.6", lw=1, label=f"{name}, error of 2D itself")
     axes.loglog(gap, 4 / np.pi * gap, "k-", lw=0.8, label=r"$4h/(\pi L)$")
 
 
@@ -129,9 +129,9 @@ def _limits(axes: Axes, data: xr.Dataset) -> None:
     share = data["rise"].values / float(data["clearance"])
     for suffix, style in _STYLES:
         if _known(data, f"squat_speed{suffix}"):
-            mark = _alone(suffix, share) or ("" if suffix else ".")
-            axes.plot(share, data[f"squat_speed{suffix}"], style, marker=mark, color=BLUE,
-                      label=_LABELS[suffix])  # fmt: skip
+            wide: dict[str, Any] = {} if suffix else _WIDE
+            axes.plot(share, data[f"squat_speed{suffix}"], style, marker=_alone(suffix, share),
+                      color=BLUE, label=_LABELS[suffix], **wide)  # fmt: skip
     axes.set(xlabel="shelf height / clearance at rest [-]", ylabel="squat speed [m/s]")
     axes.set_ylim(0, 1.07 * axes.dataLim.y1)
     axes.legend(fontsize=8, loc="lower left")

@@ -13,7 +13,7 @@ from squat.analysis import TableCase, piston_tables, write_table
 from squat.analysis.claims import CHECKS, Sources
 from squat.analysis.inertia_tables import _by_mesh, table5_critical
 from squat.analysis.lookup import Here
-from squat.analysis.tables import _rounding
+from squat.analysis.tables import _coarse, _rounding
 from squat.analysis.verdicts import table_rows
 from squat.errors import InputError
 from squat.stability.run import run as equilibria
@@ -75,6 +75,23 @@ def test_the_last_cell_lost_is_named():
     assert found.verdict == "paper inconsistent"
 
 
+@pytest.mark.parametrize(
+    ("half", "double", "verdict"), [([9.0], [8.0], "match"), ([8.0], [9.0], "paper inconsistent")]
+)
+def test_what_overestimating_costs_is_held_against_the_printed_table_too(half, double, verdict):
+    means = (("added_mass_ratio", "mass_ratio"), [half, double])
+    cells = {"added_mass_ratio": [0.5, 2.0], "mass_ratio": [0.2]}
+    found = finding("overestimate", iterations=xr.Dataset({"mean_iterations": means}, cells))
+    assert found.verdict == verdict
+    assert ("at m_f/m = 0.2, 0.5, 0.66" in found.note) == (verdict != "match")
+
+
+@pytest.mark.parametrize(("order", "verdict"), [(1.98, "match"), (0.97, "paper inconsistent")])
+def test_second_order_of_centred_differences_contradicts_the_printed_scheme(order, verdict):
+    orders = xr.Dataset({"observed_order": ("integrator", [order])}, {"integrator": ["centred"]})
+    assert finding("centred_order", iterations=orders).verdict == verdict
+
+
 @pytest.mark.parametrize(("added", "mass"), [("0.5", "9"), ("9", "2"), ("9", "9")])
 def test_a_cell_that_a_study_left_out_is_missing(added, mass):
     counts = xr.DataArray([[4.0]], {"added_mass_ratio": [0.5], "mass_ratio": [2.0]}).rename("x")
@@ -118,6 +135,13 @@ def test_efficiency_is_in_proportion_where_twice_the_density_saves_twice_as_much
 )
 def test_a_print_that_is_ours_cut_off_or_rounded_is_told(printed, here, note):
     assert _rounding(printed, here) == note
+
+
+def test_a_match_by_few_digits_says_so():
+    assert _coarse("1", Here(0.8), 0.2) == "a match by the few digits printed, 25% apart"
+    assert _coarse("0.81", Here(0.8), -0.01) == ""
+    assert _coarse("1", Here(1.4, rounds_down=True), 0.4) == ""
+    assert _coarse("", Here(math.inf), math.nan) == ""
 
 
 @pytest.mark.parametrize(
