@@ -50,7 +50,7 @@ class Recorder:
     def frames(self, path: str, clock: Clock, columns: Callable[[slice], Iterable[Any]]) -> None:
         """Rows too big for one piece; `columns` makes those of a slice of `clock`."""
         starts = range(0, len(clock.time), _BATCH)
-        for start in progress(starts, total=len(starts), label=path):
+        for start in progress(starts, total=len(starts), label=path.replace("\\", "")):
             rows = slice(start, min(start + _BATCH, len(clock.time)))
             self.rows(path, clock.at(rows), columns(rows))
 
