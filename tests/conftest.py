@@ -1,14 +1,12 @@
 """Shared by all tests: cases composed as the command line composes them."""
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
 from squat.config import compose, validate
+from tests.forks import Forks
 
 ROOT = Path(__file__).parents[1]
 LONGEST = ("tests/workflow/", "tests/paper/", "tests/docs/", "tests/faults/", "tests/cli/")
@@ -44,20 +42,16 @@ def case():
     return lambda task, *overrides: validate(compose(task, *overrides)).case
 
 
+@pytest.fixture(scope="session")
+def forks():
+    return Forks()
+
+
 @pytest.fixture
-def squat(tmp_path):
+def squat(tmp_path, forks):
     """Run the real command in an empty folder."""
 
     def run(*arguments, cwd=tmp_path, timeout=120):
-        command = [str(Path(sys.executable).parent / "squat"), *arguments]
-        return subprocess.run(
-            command,
-            cwd=cwd,
-            capture_output=True,
-            text=True,
-            timeout=timeout,
-            check=False,
-            env={**os.environ, "OMP_NUM_THREADS": "1"},
-        )
+        return forks.run(arguments, cwd, timeout)
 
     return run

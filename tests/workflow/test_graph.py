@@ -64,11 +64,11 @@ def started(folder, *arguments):
 
 
 def killed(folder, once):
-    """Run the graph and end all its processes at once, as soon as `once` is there."""
-    process = started(folder, "all")
-    until = time.monotonic() + 300
-    while not (folder / once).exists() and time.monotonic() < until:
+    """Run the graph, `once` first, and end all its processes as soon as that is there."""
+    process = started(folder, "all", "--prioritize", once)
+    while not (folder / once).exists() and process.poll() is None:
         time.sleep(0.05)
+    assert process.poll() is None
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
 
