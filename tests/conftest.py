@@ -1,5 +1,6 @@
 """Shared by all tests: cases composed as the command line composes them."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,10 @@ from tests.forks import Forks
 ROOT = Path(__file__).parents[1]
 LONGEST = ("tests/workflow/", "tests/paper/", "tests/docs/", "tests/faults/", "tests/cli/")
 """Folders that begin first, so that no worker waits for another at the end."""
+
+
+if "PYTEST_XDIST_WORKER" in os.environ:  # the other workers have the other cores
+    os.environ.setdefault("LOKY_MAX_CPU_COUNT", "1")
 
 
 class Scheduling(LoadScopeScheduling):

@@ -1,6 +1,5 @@
 """Work over the cores: answers in order, errors passed on, no process left behind."""
 
-import os
 import signal
 import subprocess
 import sys
@@ -12,6 +11,11 @@ import pytest
 from squat.cores import spread
 
 WAIT = "import time; from squat.cores import spread; spread(time.sleep, [(600,)] * 4, 'sleep')"
+
+
+@pytest.fixture(autouse=True)
+def two_cores(monkeypatch):
+    monkeypatch.setenv("LOKY_MAX_CPU_COUNT", "2")
 
 
 def test_answers_come_in_the_order_of_the_arguments_whatever_starts_first():
@@ -27,8 +31,7 @@ def test_an_error_reaches_the_caller_as_it_was_raised():
 
 
 def test_workers_end_with_a_killed_process():
-    environment = {**os.environ, "LOKY_MAX_CPU_COUNT": "2"}
-    victim = subprocess.Popen([sys.executable, "-c", WAIT], env=environment)
+    victim = subprocess.Popen([sys.executable, "-c", WAIT])
     try:
         while len(children := psutil.Process(victim.pid).children(recursive=True)) < 2:
             time.sleep(0.05)

@@ -4,6 +4,7 @@ import ast
 
 import pytest
 
+from workflows.mutants.__main__ import Baseline
 from workflows.mutants.mutations import mutate, mutations
 
 SOURCE = '''"""Text."""
@@ -37,3 +38,19 @@ def test_values_signs_comparisons_and_statements_change_but_no_words(folder):
     assert {"return a / b", "return None", "return 0", "removed"} <= after
     assert {"def area(a: float, b: float=3.0) -> float:"} <= after
     assert len(after) == len(mutations(folder, "one.py")) == 10
+
+
+class Reached:
+    """What coverage would tell of one file."""
+
+    def contexts_by_lineno(self, _):
+        return {5: ["a.py::slow|run", "a.py::fast|setup"], 7: ["b.py::x|run"]}
+
+
+def test_tests_that_reach_a_place_come_first_and_those_that_may_look_at_its_work_follow(folder):
+    baseline = object.__new__(Baseline)
+    baseline.data = Reached()
+    baseline.seconds = {"a.py::fast": 1.0, "a.py::slow": 9.0, "a.py::other": 0.1, "b.py::x": 0.1}
+    at = {one.line: one for one in mutations(folder, "one.py")}
+    assert baseline.tests(at[5]) == ["a.py::fast", "a.py::slow", "a.py::other"]
+    assert baseline.tests(at[7]) == ["b.py::x"]
