@@ -73,7 +73,7 @@ class Baseline:
 
 
 def _file(test: str) -> str:
-    return test.split("::")[0]
+    return test.split("::", maxsplit=1)[0]
 
 
 def judge(mutation: Mutation, baseline: Baseline) -> str:
