@@ -16,6 +16,8 @@ from squat.quantities import STRICT
 _LONGEST = 40
 """Letters of a value that are printed, of a hull's points say."""
 _PAIR = 2
+_LETTERS = "A", "B"
+"""Heads of the two runs' columns as printed."""
 
 
 def _two(runs: object) -> object:
@@ -72,8 +74,13 @@ def write_difference(case: DifferenceCase, path: Path) -> None:
     """Print the difference, and write it to `path` as CSV."""
     frame = difference(*places(case.runs))
     records.save_table(frame, path)
+    if frame.empty:
+        print("no difference")
+        return
     shown = frame.apply(_short, axis=1, result_type="broadcast")
-    print(shown.to_string(index=False) if len(frame) else "no difference")
+    for letter, run in zip(_LETTERS, frame.columns[1:], strict=True):
+        print(f"{letter}: {run}")  # above the table: paths make its lines too long to read
+    print(shown.set_axis(["key", *_LETTERS], axis=1).to_string(index=False))
 
 
 def _short(row: "pd.Series[Any]") -> list[object]:

@@ -1,10 +1,12 @@
 """Looks of lines by which those that lie on each other are all seen, and no other stands out."""
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
+from squat.figures.style import PALETTE
 from squat.quantities import Vector
 
 _WIDEST, _THINNEST = 3.6, 1.4  # pt
@@ -17,7 +19,8 @@ def looks(curves: Sequence[Vector]) -> list[dict[str, Any]]:
     """Looks of the `curves`, each x and y (2, n), in the order in which they are drawn.
 
     Of those that coincide for most of their length, each is thinner than the one below, and has
-    other dashes; the others are all as thin as the thinnest.
+    other dashes; the others are all as thin as the thinnest. No two are alike in colour and dashes,
+    up to 21 of them.
     """
     drawn = [curve[:, np.isfinite(curve).all(axis=0)] for curve in curves]
     every = np.hstack(drawn)
@@ -32,9 +35,29 @@ def looks(curves: Sequence[Vector]) -> list[dict[str, Any]]:
         else:
             groups.append([n])
     found: dict[int, dict[str, Any]] = {}
-    for group in groups:
+    for group in sorted(groups, key=len, reverse=True):
         found |= zip(group, _layers(len(group)), strict=True)
-    return [found[n] for n in range(len(drawn))]
+    return _distinct(found, groups)
+
+
+def _distinct(
+    given: dict[int, dict[str, Any]], groups: Sequence[Sequence[int]]
+) -> list[dict[str, Any]]:
+    """`given` in the order of numbers, with colours, and with dashes where they have none.
+
+    Colours are those that were used least, by lines of the same group before all.
+    """
+    free = [(color, dashes) for dashes in _DASHES for color in PALETTE]
+    place = {n: number for number, group in enumerate(groups) for n in group}
+    used: Counter[Any] = Counter()
+    told = {}
+    for n, look in given.items():
+        fitting = [pair for pair in free if pair[1] == look.get("ls", pair[1])] or free
+        color, dashes = min(fitting, key=lambda pair: (used[place[n], pair[0]], used[pair[0]]))
+        free.remove((color, dashes))
+        used.update([color, (place[n], color)])
+        told[n] = {**look, "color": color, "ls": dashes}
+    return [told[n] for n in sorted(told)]
 
 
 def _hides(below: Vector, above: Vector) -> bool:
@@ -58,7 +81,7 @@ def _spread(curve: Vector, count: int) -> Vector:
 
 
 def _layers(count: int) -> list[dict[str, Any]]:
-    """Looks of `count` lines on each other; a single one keeps the dashes that it has."""
+    """Looks of `count` lines on each other; a single one may have any dashes."""
     if count == 1:
         return [{"lw": _THINNEST}]
     step = (_WIDEST - _THINNEST) / (count - 1)

@@ -12,10 +12,10 @@ from squat import records
 from squat.errors import InputError
 from squat.figures.labels import axis_label, named, telling
 from squat.figures.layers import looks
-from squat.figures.style import CYCLE
 from squat.quantities import Vector
 
 _NUMBERS = "iuf"  # kinds of types between whose values a line says something
+_RING: dict[str, Any] = {"ls": "", "marker": "o", "mfc": "none"}  # a run of one point
 _DOT = 3.5  # size of a ring over the width of a line
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
@@ -24,13 +24,12 @@ def draw_lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None)
     """One line a run, named by what tells the runs apart."""
     if len(table) > _MOST:
         raise InputError(f"runs: {len(table)} lines in one plot; narrow them to {_MOST} by where=")
-    axes.set_prop_cycle(CYCLE)
     labelled = _labelled(table)
     pairs = [_curve(records.read(Path(file)), variable, over) for file, _ in labelled]
     seen = looks([np.stack([_numbers(x), _numbers(y)]) for x, y in pairs])
     for (across, values), (_, label), look in zip(pairs, labelled, seen, strict=True):
         dots = pd.notna(values.values).sum() == 1 or across.dtype.kind not in _NUMBERS
-        shown = _ring(look["lw"]) if dots else look
+        shown = look | (_RING | {"ms": _DOT * look["lw"]} if dots else {})
         axes.plot(across.values, values.values, label=label, **shown)
         axes.set_xlabel(axis_label(across.attrs["long_name"], across.attrs["units"]))
         axes.set_ylabel(axis_label(values.attrs["long_name"], values.attrs["units"]))
@@ -51,11 +50,6 @@ def _numbers(values: xr.DataArray) -> Vector:
     """The values, of names their places."""
     named = values.dtype.kind not in _NUMBERS
     return np.arange(values.size, dtype=float) if named else values.values.astype(float)
-
-
-def _ring(width: float) -> dict[str, Any]:
-    """Look of a run of one point, or over names: the larger, the wider its line would be."""
-    return {"ls": "", "marker": "o", "mfc": "none", "ms": _DOT * width}
 
 
 def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:

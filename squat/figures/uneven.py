@@ -14,7 +14,10 @@ from squat.quantities import Vector
 
 _STYLES = (("", "-"), ("_1d", "--"), ("_complete", ":"))
 _LABELS = {"": "2D", "_1d": "1D, local depth", "_complete": "1D, ends and curvature"}
-_WIDE: dict[str, Any] = {"lw": 4.0, "alpha": 0.4}  # of the 2D lines, under those of 1D that may lie on them
+_WIDE: dict[str, Any] = {
+    "lw": 4.0,
+    "alpha": 0.4,
+}  # of the 2D lines, under those of 1D that may lie on them
 _POINTS = {"": "o", "_1d": "x", "_complete": "+"}
 _LONGEST = 5.0
 """Width over height of the sketch that is drawn with equal scales, about."""

@@ -13,7 +13,7 @@ from squat.replay.runs import Run
 
 
 class Row(NamedTuple):
-    """A parameter: name, value, unit."""
+    """A parameter: name, value, unit. The unit stands behind the value: a third column is cut."""
 
     name: str
     value: object
@@ -40,15 +40,16 @@ def case(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
 def page(run: Run) -> str:
     """Markdown page of a run."""
     rows = "\n".join(
-        f"| {row.name} | {_value(row.value)} | {row.unit} |" for row in ROWS[run.kind](run)
+        f"| {row.name} | {f'{_value(row.value)} {row.unit}'.rstrip()} |"
+        for row in ROWS[run.kind](run)
     )
     attributes = run.data.attrs
     return (
         f"# {run.data.attrs['title']}\n\n"
         f"**Status: {attributes['status']}** after {run.data.sizes['time'] - 1} steps, "
         f"at {run.steps.time[-1]:.4g} s.\n"
+        f"\n| parameter | value |\n|---|---|\n{rows}\n"
         f"{_READING}\n"
-        f"| parameter | value | unit |\n|---|---|---|\n{rows}\n\n"
         f"Dataset `{run.path.name}`, SHA-256 of its values `{attributes['content_sha256']}`, "
         f"written by {attributes['source']}. Recording by squat {squat.__version__} with rerun "
         f"{rr.__version__}: open it with this minor version of rerun or one next to it, or make it "
@@ -67,14 +68,14 @@ def _ship(run: Run) -> list[Row]:
     scheme = run.chosen("coupling", coupling["name"])
     return [
         Row("current V", float(config["current"]), "m/s"),
-        Row(f"length L of the hull ({shape})", float(hull["length"]), "m"),
+        Row(f"length L ({shape})", float(hull["length"]), "m"),
         Row("draft T", float(hull["draft"]), "m"),
         Row("depth H", float(channel["depth"]), "m"),
         Row("In to bow", float(channel["upstream"]), "m"),
         Row("stern to Out", float(channel["downstream"]), "m"),
         Row("initial heave w(0)", float(config["initial_heave"]), "m"),
-        Row("stable root of Eq. (27)", float(data["stable_root"]), "m"),
-        Row("unstable root of Eq. (27)", float(data["unstable_root"]), "m"),
+        Row("stable root of (27), a box", float(data["stable_root"]), "m"),
+        Row("unstable root of (27), a box", float(data["unstable_root"]), "m"),
         Row("ship mass m", float(data["ship_mass"]), "kg/m"),
         Row("added mass m_add, Eq. (23)", float(data["added_mass"]), "kg/m"),
         Row("free surface", config["free_surface"]),

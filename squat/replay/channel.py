@@ -74,7 +74,10 @@ def _picture(
     high = np.array([extent.outlet + _BESIDE * extent.length, extent.depth])
     low[1] -= _BELOW * extent.depth
     high[1] += _ABOVE * extent.depth
-    what = "Channel" if run.fields is None else "Channel: pressure less hydrostatic, and velocity"
+    what = "Channel"
+    if run.fields is not None:
+        count = run.fields.sizes["time"]
+        what += f" at {count} snapshot{'s' * (count > 1)}: pressure less hydrostatic, velocity"
     if times > 1:
         what += f", heights × {times}"
     stretched = np.array([1, times])

@@ -5,7 +5,7 @@ import rerun.blueprint as rrb
 
 from squat.quantities import Vector
 from squat.replay.panels import Draw, Place, panel
-from squat.replay.plots import PLOTS, Curve, Plot, Values
+from squat.replay.plots import PLOTS, Curve, Plot
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
 from squat.replay.style import run_color, shaded, ticked
@@ -87,7 +87,8 @@ def _overlaid(plot: Plot) -> Draw:
                 shown.append((label, told))
                 recorder.series(path, clock, told, label, color, curve.width)
         paths = [entity(run, "plots", plot.name) for run in runs]
-        return [time_view(plot, plot.title, paths, shown, runs)]
+        title = plot.several if len(runs) > 1 and plot.several else plot.title
+        return [time_view(plot, title, paths, shown, runs)]
 
     return draw
 
@@ -130,7 +131,7 @@ def _differing(plot: Plot) -> Draw:
         shown: Named = []
         for number, run in enumerate(others, 1):
             for curve in _varying(plot, run):
-                clock, values = difference(first, run, curve.values)
+                clock, values = difference(first, run, curve)
                 if len(values) < 2:  # the start alone is no common time
                     continue
                 name = _name(plot, curve, run)
@@ -138,18 +139,20 @@ def _differing(plot: Plot) -> Draw:
                 path = entity(run, "differences", plot.name, curve.name)
                 recorder.series(path, clock, values, name, run_color(number))
             paths.append(entity(run, "differences", plot.name))
-        title = _titled(plot, first, others)
+        title = _titled(plot, first, others, any(np.isfinite(told).any() for _, told in shown))
         placed = plot._replace(legend=rrb.Corner2D.RightTop)  # they start from 0, anywhere
         return [time_view(placed, title, paths, shown, runs)] if others else []
 
     return draw
 
 
-def _titled(plot: Plot, first: Run, others: list[Run]) -> str:
+def _titled(plot: Plot, first: Run, others: list[Run], any_told: bool) -> str:
     """Title of differences, with what is missing."""
     apart = [run.label for run in others if min(len(run.steps.time), len(first.steps.time)) < 2]
     if len(apart) == len(others):
         return f"Δ {plot.title}: no common time"
+    if not any_told:
+        return f"Δ {plot.title}: no moment at which two runs have it"
     missing = f"; no common time with {', '.join(apart)}" if apart else ""
     return f"Δ {plot.title}, less {first.label}{missing}"
 
@@ -158,13 +161,19 @@ def _varying(plot: Plot, run: Run) -> list[Curve]:
     return [curve for curve in plot.curves if curve.compared and curve.values(run.data).ndim]
 
 
-def difference(first: Run, run: Run, values: Values) -> tuple[Clock, Vector]:
-    """`run` less `first` at the first's steps within both runs; linear between the other's."""
+def difference(first: Run, run: Run, curve: Curve) -> tuple[Clock, Vector]:
+    """`run` less `first` at the first's steps within both runs; linear between the other's.
+
+    Whole numbers are those of the other's step in which the moment lies.
+    """
     time, other = first.steps.time, run.steps.time
     common = time <= other[-1] * (1 + 1e-12)
     clock = first.steps.at(common)
-    there = np.interp(clock.time, other, np.asarray(values(run.data).values, float))
-    return clock, there - np.asarray(values(first.data).values, float)[common]
+    here, values = (np.asarray(curve.values(data).values, float) for data in (first.data, run.data))
+    if curve.whole:
+        within = np.searchsorted(other, clock.time * (1 - 1e-12))
+        return clock, values[within] - here[common]
+    return clock, np.interp(clock.time, other, values) - here[common]
 
 
 for _plot in PLOTS:

@@ -22,7 +22,8 @@ class Curve(NamedTuple):
     `compared` curves are overlaid where there are several runs, and their differences drawn; a
     `width` [points] beyond the others' shows a curve below one that it should agree with. Where
     constants of several runs differ they are in the runs' colours, lighter or darker by `shade`. A
-    constant that is of the run's `last` moment is a dot there.
+    constant that is of the run's `last` moment is a dot there. `whole` numbers belong to steps, and
+    are not interpolated between them.
     """
 
     name: str
@@ -33,11 +34,13 @@ class Curve(NamedTuple):
     width: float = 1.5
     shade: float = 0.0
     last: bool = False
+    whole: bool = False
 
 
 class Plot(NamedTuple):
     """One diagram over time: entity, title with unit, variables, lines.
 
+    `title` for a single run, `several` for more, where it has to tell which curves are compared.
     `least_span` of the vertical axis keeps rounding from filling the diagram. Differences of a
     plot that stands elsewhere than in `Place.PLOT` stand beside it.
     """
@@ -49,6 +52,7 @@ class Plot(NamedTuple):
     legend: rrb.Corner2D = rrb.Corner2D.RightTop
     least_span: float = 0.0
     place: Place = Place.PLOT
+    several: str = ""
 
 
 def variable(name: str) -> Values:
@@ -81,6 +85,7 @@ def failed_contraction(data: xr.Dataset) -> xr.DataArray:
     return data.get("failed_contraction", xr.DataArray(np.nan))
 
 
+_ROOTS = ("stable root of (27)", "unstable root of (27)")
 _WATER = ("water_energy", "static_energy", "stream_energy")
 PLOTS = (
     Plot(
@@ -89,10 +94,8 @@ PLOTS = (
         ("heave", "stable_root", "unstable_root"),
         (
             Curve("heave", variable("heave"), "w", SKY, compared=True),
-            Curve("stable_root", variable("stable_root"), "stable root", GREEN, True, 0.75, 0.5),
-            Curve(
-                "unstable_root", variable("unstable_root"), "unstable root", RED, True, 0.75, -0.5
-            ),
+            Curve("stable_root", variable("stable_root"), _ROOTS[0], GREEN, True, 0.75, 0.5),
+            Curve("unstable_root", variable("unstable_root"), _ROOTS[1], RED, True, 0.75, -0.5),
         ),
         rrb.Corner2D.LeftBottom,
     ),
@@ -121,7 +124,7 @@ PLOTS = (
         "iterations",
         "Iterations of a step",
         ("iterations",),
-        (Curve("iterations", counts, "iterations", SKY, compared=True),),
+        (Curve("iterations", counts, "iterations", SKY, compared=True, whole=True),),
     ),
     Plot(
         "ship_energies",
@@ -180,5 +183,6 @@ PLOTS = (
             Curve("measured", variable("contraction"), "measured", SKY, compared=True),
         ),
         least_span=0.02,
+        several="Contraction factor, measured",
     ),
 )

@@ -64,6 +64,11 @@ class Recorder:
         if told.sum() == 1:
             look = rr.SeriesPoints.columns(names=[name], colors=rgba(color), marker_sizes=[_DOT])
         else:
-            look = rr.SeriesLines.columns(names=[name], colors=rgba(color), widths=[width])
+            look = rr.SeriesLines.columns(
+                names=[name],
+                colors=rgba(color),
+                widths=[width],
+                aggregation_policy=[rr.components.AggregationPolicy.MinMax],  # no means of counts
+            )
         self.static(path, look)
         self.rows(path, clock.at(told), rr.Scalars.columns(scalars=values[told]))

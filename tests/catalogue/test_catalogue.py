@@ -176,6 +176,8 @@ def test_the_difference_is_printed_in_short_and_never_as_equal(tmp_path, capsys)
     for other, shown in ((two, ["2.25", "2.5"]), (close, ["2.25", "2.25000001"])):
         write_difference(DifferenceCase(runs=(one, other)), tmp_path / "d.csv")
         lines = capsys.readouterr().out.splitlines()
+        assert lines[:2] == [f"A: {one}", f"B: {other}"]
+        assert lines[2].split() == ["key", "A", "B"]
         assert ["piston.mass_ratio", *shown] in [line.split() for line in lines]
     write_difference(DifferenceCase(runs=(one, one)), tmp_path / "d.csv")
     assert capsys.readouterr().out == "no difference\n"

@@ -14,6 +14,7 @@ from squat.config.units import unit
 from squat.errors import InputError
 from squat.figures.compare import CompareCase, draw, write_compare
 from squat.figures.labels import axis_label, telling
+from squat.figures.layers import looks
 from tests.catalogue.runs import RATIOS
 
 
@@ -108,9 +109,18 @@ def test_a_run_of_one_point_is_seen(tmp_path):
         run = api.run("transient", *keys, f"coupling={name}")
         run.to_netcdf(tmp_path / f"{name}.nc", engine="h5netcdf")
     (axes,) = draw(find([tmp_path]), "heave", None).axes
-    looks = {line.get_label(): (len(line.get_xdata()), line.get_marker()) for line in axes.lines}
-    assert looks["coupling = printed_standard: diverged"] == (1, "o")
-    assert looks["coupling = printed: completed"][1] == "None"
+    drawn = {line.get_label(): (len(line.get_xdata()), line.get_marker()) for line in axes.lines}
+    assert drawn["coupling = printed_standard: diverged"] == (1, "o")
+    assert drawn["coupling = printed: completed"][1] == "None"
+
+
+def test_no_two_of_twenty_lines_are_alike_and_lines_on_each_other_differ_in_colour():
+    x = np.linspace(0, 1, 50)
+    slopes = [1, 2, 3, 3, 4, 3, 5, 3, 6, 7, 8, 8, 9, 10, 11, 12, 13, 3, 14, 15]
+    given = looks([np.stack([x, slope * x]) for slope in slopes])
+    assert len({(look["color"], look["ls"]) for look in given}) == len(slopes)
+    together = [look["color"] for look, slope in zip(given, slopes, strict=True) if slope == 3]
+    assert len(set(together)) == len(together)
 
 
 def test_runs_that_coincide_are_all_seen(runs):

@@ -10,8 +10,8 @@ from squat.replay.runs import Run
 def test_hull_and_coupling_are_named_as_they_were_chosen(ship):
     data = records.read(ship)
     chosen = data.assign_attrs(choices=json.dumps({"hull": "feeder", "coupling": "mine"}))
-    assert "| length L of the hull (feeder) |" in page(Run("", ship, chosen, None))
+    assert "| length L (feeder) | 40 m |" in page(Run("", ship, chosen, None))
     assert "| coupling | mine (corrected) |" in page(Run("", ship, chosen, None))
     del data.attrs["choices"]
-    assert "| length L of the hull (rectangle) |" in page(Run("", ship, data, None))
+    assert "| length L (rectangle) | 40 m |" in page(Run("", ship, data, None))
     assert "| coupling | printed (corrected) |" in page(Run("", ship, data, None))

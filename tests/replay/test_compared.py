@@ -1,12 +1,17 @@
 """Several runs in one recording: one axis, differences, names."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import rerun as rr
 
 from squat import records
 from squat.replay.overlay import _axis, difference
+from squat.replay.panels import draw_all
+from squat.replay.plots import Curve
+from squat.replay.recorder import Recorder
 from squat.replay.runs import labels, load
 from tests.replay.reading import NANOSECOND, scalars
 
@@ -27,9 +32,34 @@ def test_a_run_less_itself_is_nothing(ship, tmp_path):
     copy = tmp_path / "copy.nc"
     copy.write_bytes(ship.read_bytes())
     first, other = load((str(ship), str(copy)))
-    clock, values = difference(first, other, lambda data: data["heave"])
+    clock, values = difference(first, other, Curve("w", lambda data: data["heave"], "w", ""))
     assert np.all(values == 0)
     assert len(clock.time) == first.data.sizes["time"]
+
+
+def test_counts_are_compared_by_the_steps_they_belong_to(ship):
+    (run,) = load((str(ship),))
+    time = run.data["time"].values
+    coarse = run.data.isel(time=[0, 2, 4]).assign(iterations=("time", [0, 3, 6]))
+    first = replace(run, data=run.data.isel(time=slice(0, 5)))
+    fine = first.data.assign(iterations=("time", [0, 1, 1, 1, 1]))
+    counts = Curve("n", lambda data: data["iterations"], "n", "", whole=True)
+    clock, values = difference(replace(first, data=fine), replace(run, data=coarse), counts)
+    assert np.array_equal(clock.time, time[:5])
+    assert list(values) == [0, 2, 2, 5, 5]
+
+
+def test_a_panel_of_several_runs_says_which_factor_it_compares(ship, bare):
+    runs = load((str(ship), str(bare)))
+    with rr.RecordingStream("test") as stream:
+        views = draw_all(Recorder(stream), runs)
+    titles = [view.name for place in views.values() for view in place]
+    assert "Contraction factor, measured" in titles
+    never = [replace(run, data=run.data.assign(contraction=np.nan * run.data.time)) for run in runs]
+    with rr.RecordingStream("test") as stream:
+        views = draw_all(Recorder(stream), tuple(never))
+    titles = [view.name for place in views.values() for view in place]
+    assert "Δ Contraction factor: no moment at which two runs have it" in titles
 
 
 def test_names_in_the_legend_are_short_and_have_room_above_the_curves(record, entities, ship, bare):
@@ -65,7 +95,7 @@ def test_roots_that_differ_are_told_apart_by_run_and_kind(record, entities, ship
         for run in ("ship", "kept")
         for name in ("heave", "stable_root", "unstable_root")
     ]
-    kinds = ("", ": stable root", ": unstable root")
+    kinds = ("", ": stable root of (27)", ": unstable root of (27)")
     assert [rows["names"][0][0] for rows in lines] == [
         f"{run}{kind}" for run in ("ship", "kept") for kind in kinds
     ]
