@@ -152,7 +152,7 @@ def _titled(plot: Plot, first: Run, others: list[Run], any_told: bool) -> str:
     if len(apart) == len(others):
         return f"Δ {plot.title}: no common time"
     if not any_told:
-        return f"Δ {plot.title}: no moment at which two runs have it"
+        return f"Δ {plot.title}: none in common"
     missing = f"; no common time with {', '.join(apart)}" if apart else ""
     return f"Δ {plot.title}, less {first.label}{missing}"
 

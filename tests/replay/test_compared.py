@@ -59,7 +59,7 @@ def test_a_panel_of_several_runs_says_which_factor_it_compares(ship, bare):
     with rr.RecordingStream("test") as stream:
         views = draw_all(Recorder(stream), tuple(never))
     titles = [view.name for place in views.values() for view in place]
-    assert "Δ Contraction factor: no moment at which two runs have it" in titles
+    assert "Δ Contraction factor: none in common" in titles
 
 
 def test_names_in_the_legend_are_short_and_have_room_above_the_curves(record, entities, ship, bare):
