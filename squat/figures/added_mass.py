@@ -109,13 +109,16 @@ def sensitivity(data: xr.Dataset) -> Figure:
     error = np.abs(data["size_inertia_coefficient"].values / float(data["size_limit"]) - 1)
     labels = {
         "fixed": "P1, growth away from the hull kept",
-        "scaled": "P1, all sizes in proportion",
+        "scaled": "P1, all sizes in proportion (nodes)",
     }
     for growth, color in zip(data["growth"].values, (BLUE, GREEN), strict=True):
         row = error[data["growth"].values == growth][0]
         left.loglog(size, row, "o-", color=color, label=labels[str(growth)])
-    rate = error[-1, -1] * (size / size[-1]) ** (4 / 3)
-    left.loglog(size, rate, "k:", lw=1, label="$h^{4/3}$, the corner's rate")
+    scaled = data["growth"].values == "scaled"
+    for nodes, x, y in zip(
+        data["size_nodes"].values[scaled][0], size, error[scaled][0], strict=True
+    ):
+        left.annotate(f"{nodes}", (x, y), (4, -10), textcoords="offset points", fontsize=7)
     left.set(xlabel="element size at the hull [m]", ylabel="relative error of $i$ [-]")
     i = data["distance_inertia_coefficient"].values
     right.loglog(

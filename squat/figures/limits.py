@@ -33,9 +33,7 @@ def limits(data: xr.Dataset) -> Figure:
             axes.plot(*line, style, color=color, label=f"{name} {root}")
         axes.plot(*fold, "k.", zorder=3)
     start = float(data["start_heave"])
-    axes.plot(
-        speed, data["lowest"], "-.", color="k", lw=1.2, label=f"deepest, released at {start:g} m"
-    )
+    axes.plot(*_deepest(data), "-.", color="k", lw=1.2, label=f"deepest, released at {start:g} m")
     for name, label, color in _LIMITS:
         limit = float(data[name])
         axes.axvline(limit, color=color, lw=1.5, label=f"{label} limit {limit:.3f} m/s")
@@ -48,6 +46,17 @@ def limits(data: xr.Dataset) -> Figure:
     axes.set_title(flattened(data), fontsize=9, loc="right")
     figure.legend(loc="outside upper center", ncols=3)
     return figure
+
+
+def _deepest(data: xr.Dataset) -> tuple[Vector, Vector]:
+    """Deepest point over speed, to the dynamic limit where it meets the unstable equilibrium."""
+    speed, lowest, end = (data[name].values for name in ("speed", "lowest", "dynamic_squat_speed"))
+    known = np.isfinite(lowest)
+    fold = [float(data[f"squat_{what}_2d"]) for what in ("speed", "sinkage")]
+    there = float(np.interp(end, *_up_to(fold, speed, data["unstable"].values)))
+    if not np.isfinite(there) or not known.any() or end < speed[known][-1]:
+        return speed, lowest
+    return np.append(speed[known], end), np.append(lowest[known], there)
 
 
 def _up_to(fold: list[float], speed: Vector, root: Vector) -> tuple[Vector, Vector]:

@@ -17,6 +17,7 @@ from squat.stability.keel import keel_pressure, squat_speed, underside
 
 _SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: corners are singular
 _ROOT = "root, Eq. (27)"
+_FAR = 5.0  # roots over this many spans of the motion would flatten it
 _FLAT = "bottom flat at the channel's depth"
 _FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
@@ -89,9 +90,13 @@ def _seconds(axes: Axes, omega: float) -> None:
 def _heave(axes: Axes, run: xr.Dataset, called: str) -> None:
     start = "o" if run.sizes["time"] == 1 else None
     axes.plot(run["phase"], run["heave"], marker=start, color=BLUE, label="heave $w$")
+    seen = np.append(run["heave"].values, run["stable_root"])
     for name, color in (("stable", GREEN), ("unstable", RED)):
         root = float(run[f"{name}_root"])
-        if np.isfinite(root):
+        if np.nanmin(seen) - root > _FAR * np.ptp(seen) > 0:
+            axes.text(0.98, 0.03, f"{name} root far below, {root:.2f} m", color=color, fontsize=8,
+                      ha="right", transform=axes.transAxes)  # fmt: skip
+        elif np.isfinite(root):
             axes.axhline(root, color=color, ls="--", lw=1, label=f"{name} {called}")
     axes.set_ylabel("$w$ [m]")
 

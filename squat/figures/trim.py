@@ -19,6 +19,7 @@ _LIMITS = (
 )
 _UNITS = {"heave": 1.0, "pitch": 180 / np.pi}
 _STABILITY = ("stable", "one direction unstable", "two directions unstable")
+_SHORTEST = 0.01  # of the fold's speed: stretches that a reader would look for in vain
 _BETWEEN = 8  # parts of the line from one computed point to the next
 _BRANCHES: Any = (
     # The wide one lies below: where both are one branch, neither hides the other.
@@ -62,9 +63,10 @@ def _equilibria(
     drawn = set()
     for count, part in _stretches(data[f"{prefix}unstable"].values):
         for half in _from_fastest(*filled(speed[part], values[part])):
-            label = None if count in drawn else f"{branch}, {_STABILITY[count]}"
+            short = np.ptp(half[0]) < _SHORTEST * float(data["squat_speed"])
+            label = None if short or count in drawn else f"{branch}, {_STABILITY[count]}"
             axes.plot(*half, ("-", "--", ":")[count], label=label, **look)
-            drawn.add(count)
+            drawn |= set() if short else {count}
 
 
 def filled(speed: Vector, values: Vector) -> tuple[Vector, Vector]:

@@ -12,7 +12,8 @@ from squat.quantities import STRICT, Position, Real, Vector
 class Place:
     """A position of the hull: surge, heave [m] and pitch [rad], positive bow down.
 
-    None: heave down by half the clearance, pitch that lowers the bow by a tenth of it.
+    None: heave down by half the clearance; pitch that lowers the bow by a tenth of it where heave
+    is None too, else 0.
     """
 
     surge: Position
@@ -22,7 +23,8 @@ class Place:
     def over(self, clearance: float, length: float) -> Vector:
         """q (3,) of a hull of that `length` [m] with that `clearance` at rest [m]."""
         heave = -clearance / 2 if self.heave is None else self.heave
-        pitch = 0.2 * clearance / length if self.pitch is None else self.pitch
+        tenth = 0.2 * clearance / length if self.heave is None else 0.0
+        pitch = tenth if self.pitch is None else self.pitch
         return np.array([self.surge, heave, pitch])
 
 

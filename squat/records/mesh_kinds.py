@@ -3,6 +3,7 @@
 from squat.records.schema import Kind, Variable
 
 _NODE, _FACE, _CORNER = ("node",), ("face",), ("corner",)
+_LIMITS = "lengths at rest that bound the hull's motion; fraction (of clearance): a pure number"
 MESH = Kind(
     "mesh",
     1,
@@ -41,7 +42,7 @@ MESH = Kind(
         "moved_corner_z": Variable(_CORNER, "m", "corner_z at the shown position"),
         "center": Variable(("axis",), "m", "point that pitch turns about, at rest"),
         "axis": Variable(("axis",), "1", "names of the coordinates"),
-        "limits": Variable(("limit",), "m", "bounds of the hull's motion"),
-        "limit": Variable(("limit",), "1", "names of the bounds"),
+        "limits": Variable(("limit",), "m", _LIMITS),
+        "limit": Variable(("limit",), "1", "names of those lengths, and fraction"),
     },
 )

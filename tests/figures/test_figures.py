@@ -13,7 +13,7 @@ from squat.cli.tasks import TASKS
 from squat.config import compose, validate
 from squat.errors import InputError
 from squat.figures.equilibria import fig10
-from squat.figures.limits import basins, limits
+from squat.figures.limits import _deepest, basins, limits
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.trim import filled
 from squat.figures.uneven import uneven_bottom
@@ -169,3 +169,15 @@ def test_a_branch_from_rest_follows_the_square_of_the_current_between_its_points
     assert np.diff(x).max() < 0.4
     assert np.allclose(w, -(x**2))
     assert set(speed) <= set(np.round(x, 12))
+
+
+def test_the_deepest_point_ends_on_the_unstable_equilibrium_at_the_dynamic_limit():
+    speed = np.linspace(0, 2, 5)
+    unstable = np.array([-4.0, -3.6, -3.2, -2.8, np.nan])
+    lowest = np.array([-0.1, -0.5, -1.5, np.nan, np.nan])
+    ends = {"dynamic_squat_speed": 1.25, "squat_speed_2d": 1.8, "squat_sinkage_2d": -2.0}
+    columns = {"speed": speed, "unstable": unstable, "lowest": lowest}
+    data = xr.Dataset({name: ("speed", row) for name, row in columns.items()} | ends)
+    x, w = _deepest(data)
+    assert (x[-1], w[-1]) == pytest.approx((1.25, -3.0))
+    assert np.isnan(_deepest(data.assign(dynamic_squat_speed=np.nan))[1][-1])
