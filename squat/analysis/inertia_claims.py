@@ -34,7 +34,7 @@ def _(sources: Sources) -> Finding:
     ratio, wendel, here = _wendel(sources)
     finite = np.isfinite(ratio)
     below = here[finite] < wendel[finite]
-    share = 1 - here[finite][below] / wendel[finite][below]
+    share = wendel[finite][below] / here[finite][below] - 1
     note = (
         "exact values, so neither elements nor In and Out explain it; most where Wendel's is "
         "printed as 1, by which very good agreement fails too; deep water, where the paper prints "

@@ -8,16 +8,18 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from squat import records
+from squat import published, records
 from squat.analysis import TableCase, piston_tables, write_table
 from squat.analysis.claims import CHECKS, Sources
-from squat.analysis.inertia_tables import _by_mesh, table5_critical
+from squat.analysis.inertia_tables import _by_mesh, bounded_away, table5_critical
 from squat.analysis.lookup import Here
 from squat.analysis.tables import _coarse, _rounding
 from squat.analysis.verdicts import table_rows
 from squat.errors import InputError
 from squat.stability.run import run as equilibria
 
+WENDEL = [cell for cell in published.table("table4") if cell.keys["source"] == "wendel_1956"]
+ERRORS = ("error", "mesh")
 NOTHING = Sources(*[None] * 7, transients=(), pitching=())
 
 
@@ -61,6 +63,10 @@ def test_lighter_water_than_ship_is_counted_by_the_critical_coefficient():
     assert found.columns["met"] == "from H/T = 2 on"
     assert found.note == "m_add <= m from H/T = 2 on in this row"
     assert "3 of 4" in str(finding("rarely_satisfied", table5=table))
+    heavy = [("depth", h, 2.0, 1.0) for h in (1.5, 2.5, 3.5, 4.5)]
+    for light, verdict in ((0.1, "differs"), (0.9, "match")):
+        rows = inertia(("depth", 6.0, 2.0, light), *heavy)
+        assert finding("rarely_satisfied", table5=rows).verdict == verdict
     assert math.isnan(table5_critical(table)({"a_over_T": "3"}).value)
 
 
@@ -135,6 +141,33 @@ def test_efficiency_is_in_proportion_where_twice_the_density_saves_twice_as_much
 )
 def test_a_print_that_is_ours_cut_off_or_rounded_is_told(printed, here, note):
     assert _rounding(printed, here) == note
+
+
+def test_how_far_below_wendel_we_are_is_told_with_the_cells():
+    printed = {key["depth_over_draft"]: float(text) for key, text in WENDEL}
+    cells = [("depth", float(h), 1.0, value / 1.02) for h, value in printed.items() if h != "inf"]
+    rows = inertia(*cells, ("deep", np.inf, 1.0, 0.76))
+    errors = {f"inertia_coefficient_{name}": 0 * rows["inertia_coefficient"] for name in ERRORS}
+    found = finding("underestimates", table4=rows.assign(errors))
+    assert found.here == "below Wendel's in 5 of 5 cells of finite depth, by 2.0% to 2.0%"
+    assert found.verdict == "match"
+
+
+@pytest.mark.parametrize(("here", "proven"), [(0.86, True), (0.8645, False), (0.87, False)])
+@pytest.mark.parametrize("other", [0, 1])
+def test_a_print_is_bounded_away_by_the_greater_of_both_readings_with_its_error(
+    here, proven, other
+):
+    values = [here, 0.8]
+    H20, T10 = values[other], values[1 - other]
+    cell = {"here_H20": f"{H20}", "here_T10": f"{T10}", "error": "1e-3", "error_T10": "1e-3"}
+    assert bounded_away("0.87", cell) == proven
+
+
+@pytest.mark.parametrize(("counts", "verdict"), [([0, 9], "match"), ([0, 8, 8], "differs")])
+def test_an_order_has_an_impact_where_it_costs_more_than_eight_iterations(counts, verdict):
+    run = coupled(1.0, iterations=("time", counts))
+    assert finding("precision_order", transients=(run,)).verdict == verdict
 
 
 def test_a_match_by_few_digits_says_so():

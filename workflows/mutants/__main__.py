@@ -59,7 +59,7 @@ class Baseline:
         """Tests that reach the mutated statement, fastest first; then the others of their files.
 
         These may look at what the former made once for all. A statement that only an import runs
-        is reached by the tests that reach anything of its file.
+        is reached by the tests that reach anything of its file, or by all where none does.
         """
         lines = self.data.contexts_by_lineno(str(ROOT / mutation.file))
         here = [lines.get(n, []) for n in range(mutation.line, mutation.last_line + 1)]
@@ -68,7 +68,7 @@ class Baseline:
             contexts = {name for names in lines.values() for name in names}
         found = {name.rsplit("|", 1)[0] for name in contexts if name}
         files = {_file(name) for name in found}
-        beside = (name for name in self.seconds if _file(name) in files)
+        beside = [name for name in self.seconds if _file(name) in files] or list(self.seconds)
         return sorted(beside, key=lambda name: (name not in found, self.seconds[name], name))
 
 
