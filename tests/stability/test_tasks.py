@@ -97,6 +97,11 @@ def test_a_start_beyond_the_ship_s_own_end_is_refused(case, key, said):
         portrait.run(case("stability", *SMALL[::2], key))
 
 
+def test_a_single_speed_is_the_least_wherever_the_curve_would_end(case):
+    speeds = case("equilibria", "speeds.points=1", "speeds.least=2", "speeds.greatest=2").speeds
+    assert speeds.curve(2.5).tolist() == [2.0]
+
+
 def test_map_of_limits_is_bounded_by_the_separatrices(small):
     heave, velocity = small["initial_heave"].values, small["initial_velocity"].values
     for n, speed in enumerate(small["case_speed"].values):
