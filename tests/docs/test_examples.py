@@ -43,9 +43,9 @@ def script(page):
 
 
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
-def test_examples_run(page, tmp_path):
+def test_examples_run(page, tmp_path, forks):
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "PYTHONPATH": str(ROOT)}
-    environment["PATH"] = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    environment["PATH"] = forks.path()
     done = subprocess.run(
         [sys.executable, "-c", script(page)],
         cwd=tmp_path,

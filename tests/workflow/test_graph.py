@@ -1,4 +1,7 @@
-"""The graph: completes, does nothing twice, reruns just what depends, survives a kill."""
+"""The graph: completes, does nothing twice, reruns just what depends, survives a kill.
+
+Its jobs run in forks; tests/faults/test_graph.py starts each as `make reproduce` does.
+"""
 
 import os
 import shutil
@@ -12,6 +15,7 @@ import pandas as pd
 import pytest
 
 from squat.records import read
+from tests.forks import Forks
 from tests.report.page import Page
 
 ROOT = Path(__file__).parents[2]
@@ -21,17 +25,16 @@ SMALL = ("--config", "cases=small", f"results={RESULTS}")
 PARTS = ("Snakefile", "conf", "squat", "workflows", "profiles")
 
 
-def environment(folder):
-    path = f"{BIN}:{os.environ['PATH']}"
+def environment(folder, path):
     return {**os.environ, "PYTHONPATH": str(folder), "PATH": path, "OMP_NUM_THREADS": "1"}
 
 
-def snakemake(folder, *arguments):
+def snakemake(folder, path, *arguments):
     command = [str(BIN / "snakemake"), "--cores", "2", *arguments, *SMALL]
     return subprocess.run(
         command,
         cwd=folder,
-        env=environment(folder),
+        env=environment(folder, path),
         capture_output=True,
         text=True,
         check=False,
@@ -51,21 +54,21 @@ def copy(folder):
     return folder
 
 
-def started(folder, *arguments):
+def started(folder, path, *arguments):
     """A run of the graph in a process group of its own."""
     return subprocess.Popen(
         [str(BIN / "snakemake"), "--cores", "2", *arguments, *SMALL],
         cwd=folder,
-        env=environment(folder),
+        env=environment(folder, path),
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         start_new_session=True,
     )
 
 
-def killed(folder, once):
+def killed(folder, path, once):
     """Run the graph, `once` first, and end all its processes as soon as that is there."""
-    process = started(folder, "all", "--prioritize", once)
+    process = started(folder, path, "all", "--prioritize", once)
     while not (folder / once).exists() and process.poll() is None:
         time.sleep(0.05)
     assert process.poll() is None
@@ -74,20 +77,32 @@ def killed(folder, once):
 
 
 @pytest.fixture(scope="module")
-def interrupted(tmp_path_factory):
-    folder = copy(tmp_path_factory.mktemp("graph"))
-    killed(folder, f"{RESULTS}/tables/table7.csv")
-    assert not (folder / RESULTS / "report.html").exists()
-    return folder
+def source(tmp_path_factory):
+    return copy(tmp_path_factory.mktemp("graph"))
 
 
 @pytest.fixture(scope="module")
-def tree(interrupted):
+def path(source):
+    """Where the graph in `source` finds its commands."""
+    forks = Forks(source)
+    yield forks.path()
+    forks.close()
+
+
+@pytest.fixture(scope="module")
+def interrupted(source, path):
+    killed(source, path, f"{RESULTS}/tables/table7.csv")
+    assert not (source / RESULTS / "report.html").exists()
+    return source
+
+
+@pytest.fixture(scope="module")
+def tree(interrupted, path):
     """The small graph's results, of a run that was killed and one that went on."""
     unlock = [sys.executable, "workflows/unlock.py"]
-    subprocess.run(unlock, cwd=interrupted, env=environment(interrupted), check=True)
+    subprocess.run(unlock, cwd=interrupted, env=environment(interrupted, path), check=True)
     stamp = (interrupted / RESULTS / "equilibria/equilibria.nc").stat().st_mtime_ns
-    done = snakemake(interrupted, "all", "--rerun-incomplete")
+    done = snakemake(interrupted, path, "all", "--rerun-incomplete")
     assert done.returncode == 0, done.stderr[-3000:]
     assert (interrupted / RESULTS / "equilibria/equilibria.nc").stat().st_mtime_ns == stamp
     return interrupted
@@ -135,19 +150,19 @@ def test_every_job_leaves_a_log_and_a_benchmark(tree):
     assert {"iterations", "equilibria", "table2", "fig10", "verdicts", "report"} <= logs
 
 
-def test_second_run_does_nothing(tree):
-    done = snakemake(tree, "all", "--dry-run")
+def test_second_run_does_nothing(tree, path):
+    done = snakemake(tree, path, "all", "--dry-run")
     assert "Nothing to be done" in done.stdout + done.stderr
 
 
-def test_a_changed_value_reruns_just_what_depends_on_it(tree):
-    path = tree / "conf" / "hull" / "rectangle.yaml"
-    before = path.read_text()
-    path.write_text(before.replace("40.0", "41.0"))
+def test_a_changed_value_reruns_just_what_depends_on_it(tree, path):
+    file = tree / "conf" / "hull" / "rectangle.yaml"
+    before = file.read_text()
+    file.write_text(before.replace("40.0", "41.0"))
     try:
-        done = snakemake(tree, "all", "--dry-run")
+        done = snakemake(tree, path, "all", "--dry-run")
     finally:
-        path.write_text(before)
+        file.write_text(before)
     text = done.stdout + done.stderr
     jobs = text[text.index("Job stats") :].split("total")[0]
     assert "equilibria" in jobs
@@ -162,8 +177,8 @@ def test_no_rule_holds_a_physics_number():
             assert not any(word.replace(".", "").isdigit() and "." in word for word in code.split())
 
 
-def test_lint_asks_for_nothing_but_containers():
-    done = snakemake(ROOT, "--lint")
+def test_lint_asks_for_nothing_but_containers(path):
+    done = snakemake(ROOT, path, "--lint")
     points = [line.strip() for line in done.stderr.splitlines() if line.strip().startswith("* ")]
     known = (
         "conda environment or container",
