@@ -25,9 +25,16 @@ def expected():
     return digest(compute(validate(compose("piston", "time.periods=0.3"))))
 
 
-def start(folder, *words):
-    """The command at work; its stderr goes into a pipe that `end` reads."""
-    return subprocess.Popen([str(SQUAT), *words], cwd=folder, stderr=subprocess.PIPE, text=True)
+@pytest.fixture
+def start(forks):
+    """Start the command; its stderr goes into a pipe that `end` reads."""
+
+    def started(folder, *words, program=forks.program):
+        return subprocess.Popen(
+            [str(program), *words], cwd=folder, stderr=subprocess.PIPE, text=True
+        )
+
+    return started
 
 
 def end(process):
@@ -48,7 +55,7 @@ def tmpfs(folder, size):
         subprocess.run(["umount", str(folder)], check=True)
 
 
-def test_a_full_disk_is_one_line_keeps_the_old_file_and_leaves_no_other(tmp_path, expected):
+def test_a_full_disk_is_one_line_keeps_the_old_file_and_leaves_no_other(tmp_path, expected, start):
     with tmpfs(tmp_path / "small", "256k") as folder:
         assert end(start(folder, *QUICK, "out=run.nc"))[0] == 0
         before = (folder / "run.nc").read_bytes()
@@ -68,7 +75,7 @@ def test_a_full_disk_is_one_line_keeps_the_old_file_and_leaves_no_other(tmp_path
         assert digest(read_whole(folder / "run.nc")) == expected
 
 
-def test_read_only_results_are_one_line_and_stay(tmp_path):
+def test_read_only_results_are_one_line_and_stay(tmp_path, start):
     with tmpfs(tmp_path / "results", "1m") as folder:
         (folder / "run.nc").write_bytes(b"old")
         subprocess.run(["mount", "-o", "remount,ro", str(folder)], check=True)
@@ -80,7 +87,7 @@ def test_read_only_results_are_one_line_and_stay(tmp_path):
         assert (folder / "run.nc").read_bytes() == b"old"
 
 
-def test_runs_that_write_the_same_output_leave_one_whole_file(tmp_path, expected):
+def test_runs_that_write_the_same_output_leave_one_whole_file(tmp_path, expected, start):
     runs = [start(tmp_path, *QUICK, "out=run.nc") for _ in range(3)]
     codes, lines = zip(*map(end, runs), strict=True)
     assert 0 in codes
@@ -90,7 +97,7 @@ def test_runs_that_write_the_same_output_leave_one_whole_file(tmp_path, expected
     assert digest(read_whole(tmp_path / "run.nc")) == expected
 
 
-def test_a_run_in_progress_keeps_others_from_its_output_until_it_ends(tmp_path):
+def test_a_run_in_progress_keeps_others_from_its_output_until_it_ends(tmp_path, start):
     job = "-m", *QUICK, "piston.mass_ratio=0.5,2", "hydra.launcher.n_jobs=1"
     sweep = tmp_path / "multirun/piston"
     name = "piston.mass_ratio-{}__time.periods-0.3/piston.nc"
@@ -107,7 +114,7 @@ def test_a_run_in_progress_keeps_others_from_its_output_until_it_ends(tmp_path):
     assert [path.name for path in tmp_path.rglob(".*")] == []
 
 
-def test_a_killed_run_holds_nothing(tmp_path):
+def test_a_killed_run_holds_nothing(tmp_path, start):
     source = "import time; from pathlib import Path; from squat.records import claim\n"
     source += "with claim(Path('run.nc')): print(flush=True); time.sleep(600)"
     victim = subprocess.Popen(
@@ -121,12 +128,12 @@ def test_a_killed_run_holds_nothing(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["run.nc"]
 
 
-def test_an_interrupted_run_says_so_in_one_line_and_goes_on(tmp_path):
+def test_an_interrupted_run_says_so_in_one_line_and_goes_on(tmp_path, start):
     words = "task=transient", "mesh=coarse", "accuracy.near=0.4", "restart.pause=0", "out=run.nc"
     words += "restart.interval=2", "time.periods=100", "log_level=warning"
     # Where the tests themselves were started in the background, their children would ignore it.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    run = start(tmp_path, *words)
+    run = start(tmp_path, *words, program=SQUAT)
     signal.signal(signal.SIGINT, before)
     while not list(tmp_path.glob("run.nc.parts/[!.]*")):
         time.sleep(0.05)
