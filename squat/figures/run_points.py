@@ -75,4 +75,11 @@ def _column(name: str, table: pd.DataFrame, units: Units) -> str:
             found = catalogue.units(name.removeprefix(catalogue.RESULT), file)
     else:
         found = units(first["kind"], name)
-    return name if found is None else axis_label(name, found)
+    shown = _words(name)
+    return shown if found is None else axis_label(shown, found)
+
+
+def _words(name: str) -> str:
+    """`heave min` for the figure `result.heave_min`; a key as it is typed."""
+    figure = name.removeprefix(catalogue.RESULT)
+    return name if figure == name else figure.replace("_", " ")

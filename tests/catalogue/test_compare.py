@@ -82,10 +82,10 @@ def test_axes_have_the_units_that_are_known(runs):
         (axes,) = draw(table, f"result.{variable}", "time.periods", unit).axes
         labels.append(axes.get_ylabel())
     assert labels == [
-        "result.position_last [m]",
-        "result.predicted_contraction [-]",
-        "result.iterations_mean [-]",
-        "result.steps",
+        "position last [m]",
+        "predicted contraction [-]",
+        "iterations mean [-]",
+        "steps",
     ]
     assert axes.get_xlabel() == "time.periods"
     (axes,) = draw(table, "result.position_last", "piston.length", unit).axes
