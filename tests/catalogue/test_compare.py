@@ -100,7 +100,7 @@ def test_an_entry_of_a_matrix_has_its_own_units(tmp_path):
         variable = f"result.added_mass_{mode}"
         (axes,) = draw(find([tmp_path]), variable, "hull.draft", unit).axes
         labels.append(axes.get_ylabel())
-    assert labels == ["result.added_mass_heave [kg m-1]", "result.added_mass_pitch [kg m]"]
+    assert labels == ["added mass heave [kg m-1]", "added mass pitch [kg m]"]
 
 
 def test_a_run_of_one_point_is_seen(tmp_path):
