@@ -26,16 +26,16 @@ def time_view(
     """A diagram over time of all entities below `paths`, which hold the curves `shown`.
 
     Longer runs than linked axes show are there from 0 to the end, each diagram by itself.
-    Several runs have their legend above the curves, where it is in the top corner.
+    Several runs have their legend, whose names may be long, above or below the curves.
     """
-    above = len(runs) > 1 and plot.legend is rrb.Corner2D.RightTop
-    room = min(_NAME * len({name for name, _ in shown}), _LEGEND) if above else 0.0
+    room = min(_NAME * len({name for name, _ in shown}), _LEGEND) if len(runs) > 1 else 0.0
+    above, below = (room, 0.0) if plot.legend is rrb.Corner2D.RightTop else (0.0, room)
     return rrb.TimeSeriesView(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
         axis_x=time_axis(_last(runs)),
-        axis_y=_axis(shown, plot.least_span, room),
+        axis_y=_axis(shown, plot.least_span, above, below),
         plot_legend=rrb.PlotLegend(plot.legend),
     )
 
@@ -52,22 +52,30 @@ def _last(runs: tuple[Run, ...]) -> float:
     return max(float(run.span.time[-1]) for run in runs)
 
 
-def _axis(shown: Named, least: float, room: float) -> rrb.ScalarAxis | None:
+def _axis(shown: Named, least: float, above: float, below: float = 0.0) -> rrb.ScalarAxis | None:
     """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them.
 
-    A share `room` of it, on top, is left to the legend; dots stand off its ends.
+    A share of it, `above` or `below`, is left to the legend; there it may cover level lines. Dots
+    stand off the ends.
     """
-    told = np.concatenate([np.empty(0), *(values[np.isfinite(values)] for _, values in shown)])
+    told = _finite([values for _, values in shown])
     if not told.size:
         return None
     low, high = float(told.min()), float(told.max())
     if high - low < least:
         middle = (low + high) / 2
-        return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - room) - 0.5)))
+        return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - above) - 0.5)))
     edge = _EDGE * (high - low) if any(values.size == 1 for _, values in shown) else 0.0
-    full = low - edge, high + edge + (high - low) * room / (1 - room)
-    wide = ticked(*full)
+    moving = _finite([values for _, values in shown if values.size > 2])
+    deep = (high - float(moving.min())) / (1 - below) if below and moving.size else 0.0
+    lowest = min(low - edge, high - deep)
+    wide = ticked(lowest, high + edge + (high - low) * above / (1 - above))
     return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
+
+
+def _finite(values: list[Vector]) -> Vector:
+    """All finite ones."""
+    return np.concatenate([np.empty(0), *(one[np.isfinite(one)] for one in values)])
 
 
 def _overlaid(plot: Plot) -> Draw:

@@ -68,15 +68,24 @@ def test_names_in_the_legend_are_short_and_have_room_above_the_curves(record, en
     assert found["bare/differences/iterations/iterations"].rows["names"] == [["bare"]]
     assert found["bare/plots/heave/heave"].rows["names"] == [["bare"]]
     curves = [("a", np.array([0.0, 1.0])), ("b", np.array([0.5]))]
-    low, high = _axis(curves, 0.0, room=0.24).range.as_arrow_array().to_pylist()[0]
+    low, high = _axis(curves, 0.0, above=0.24).range.as_arrow_array().to_pylist()[0]
     assert low <= 0.0
     assert (1.0 - low) / (high - low) <= 1 - 0.24 + 1e-12
+
+
+def test_a_legend_below_may_cover_level_lines_but_no_motion():
+    root, deep = ("root", np.array([-1.0, -1.0])), ("root", np.array([-9.0, -9.0]))
+    heave = "w", np.array([-0.1, -1.2, -0.1])
+    low, high = _axis([heave, root], 0.0, 0.0, below=0.4).range.as_arrow_array().to_pylist()[0]
+    assert (-1.2 - low) / (high - low) >= 0.4 - 1e-12
+    there = _axis([heave, deep], 0.0, 0.0, below=0.4)  # the root makes the room
+    assert there == _axis([heave, deep], 0.0, 0.0)
 
 
 def test_a_plot_without_legend_above_has_the_margins_of_the_viewer():
     heave = np.array([-6.5, -0.1])
     assert heave[0] + np.ptp(heave) != heave[1]  # rounding must not count as a range of its own
-    assert _axis([("w", heave)], 0.0, room=0.0) is None
+    assert _axis([("w", heave)], 0.0, above=0.0) is None
 
 
 def test_roots_that_runs_share_are_drawn_as_those_of_a_single_run(record, entities, ship, bare):
