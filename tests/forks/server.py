@@ -15,8 +15,9 @@ from squat.cli.tasks import DATASETS, FILES, GROUPED
 
 
 def load():
-    """Import what the tasks do, so that no fork has to."""
-    for name in (*DATASETS.values(), *GROUPED.values(), *(name for _, name in FILES.values())):
+    """Import what the tasks do, so that no fork has to; but rerun, whose threads no fork has."""
+    files = (name for task, (_, name) in FILES.items() if task != "replay")
+    for name in (*DATASETS.values(), *GROUPED.values(), *files):
         resolve_name(name)
 
 
