@@ -12,8 +12,8 @@ What a notebook needs, each name loaded when it is first used:
     The configuration of a task, without running it.
 `find_runs`
     A table of all runs below a folder: configuration, status, headline figures.
-`couple`, `Structure`
-    Your own structure and flow solver under every coupling scheme (docs/theory/coupling.md).
+`couple`, `Structure`, `Load`
+    Your own structure and flow solver in the coupling loop (docs/theory/coupling.md).
 `InputError`
     What any of them raises where the request cannot be met: key or file, value, remedy.
 
@@ -28,6 +28,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from squat.api import compose, find_runs, open_run, run
+    from squat.coupling import Load
     from squat.errors import InputError
     from squat.external import Structure, couple
     from squat.records import config_of
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "InputError": "squat.errors",
+    "Load": "squat.coupling",
     "Structure": "squat.external",
     "compose": "squat.api",
     "config_of": "squat.records",
@@ -46,6 +48,7 @@ _HOMES = {
 }
 __all__ = [
     "InputError",
+    "Load",
     "Structure",
     "compose",
     "config_of",

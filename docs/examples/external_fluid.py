@@ -3,7 +3,7 @@
     python docs/examples/external_fluid.py
 
 The standard coupling diverges. `squat.couple` needs two answers of the solver to estimate the added
-mass, and then converges in two or three iterations a step.
+mass, and then converges in two iterations a step.
 """
 
 import json

@@ -29,9 +29,9 @@ def current(t: float) -> float:
 def log(stream: rr.RecordingStream, state: State) -> None:
     """Heave, clearance and current of one instant."""
     stream.set_time("sim_time", duration=state.time)
-    stream.log("ship/heave", rr.Scalars(state.heave))
-    stream.log("ship/clearance", rr.Scalars(state.clearance))
-    stream.log("water/current", rr.Scalars(state.current))
+    stream.log("ship/heave [m]", rr.Scalars(state.heave))
+    stream.log("ship/clearance [m]", rr.Scalars(state.clearance))
+    stream.log("water/current [m/s]", rr.Scalars(state.current))
 
 
 def run(model: str, stream: rr.RecordingStream | None, *, live: bool) -> tuple[State, float]:

@@ -13,6 +13,7 @@ from squat import records
 from squat.catalogue.find import find, places
 from squat.catalogue.select import columns, listed, select
 from squat.quantities import STRICT
+from squat.sweeps import FAILED
 
 Paths = Annotated[tuple[str, ...], Field(min_length=1)]
 
@@ -50,7 +51,8 @@ class CatalogueCase:
 
 def write_catalogue(case: CatalogueCase, path: Path) -> None:
     """Write the chosen rows with all columns to `path`; print them with the chosen columns."""
-    frame = select(find(places(case.runs)), case.where, case.sort)
+    searched = places(case.runs)
+    frame = select(find(searched), case.where, case.sort)
     parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
     tables = [columns(part, case.columns) for part in parts]
     with records.atomic(path) as temporary:
@@ -61,7 +63,9 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
         if left := shown.columns[fitting.shape[1] :].tolist():
             print(f"not shown: {', '.join(left)}")
         print()
-    print(f"{len(frame)} runs; {path} has all columns")
+    failed = sum(len(list(folder.rglob(FAILED))) for folder in searched)
+    beside = f", and {failed} jobs that failed ({FAILED} in their folders)" if failed else ""
+    print(f"{len(frame)} runs{beside}; {path} has all columns")
 
 
 def _text(frame: pd.DataFrame) -> str:

@@ -25,7 +25,7 @@ from omegaconf import DictConfig
 
 from squat import sweeps
 from squat.cli.log import refuse, start_logging
-from squat.config import CONF
+from squat.config import CONF, job_folder
 from squat.errors import InputError
 from squat.progress import hide, progress
 
@@ -128,7 +128,7 @@ def _named(config: DictConfig) -> dict[str, list[str]]:
     for job in _combinations(list(config.hydra.overrides.task)):
         parsed = OverridesParser.create().parse_overrides(job)
         name = get_overrides_dirname(parsed, list(style.exclude_keys), style.item_sep, style.kv_sep)
-        names[name or "."] = job
+        names[job_folder(name) or "."] = job
     return names
 
 
@@ -220,6 +220,10 @@ def _worked(mark: str) -> bool:
 
 
 def note_failure(folder: Path, error: Exception, line: str, expected: bool) -> None:
-    """Leave the reason in the job's folder; of an error that nobody expected, all of it."""
+    """Leave the reason in the job's folder; of an error that nobody expected, all of it.
+
+    Where that cannot be written either, the log alone has it.
+    """
     trace = "" if expected else "".join(traceback.format_exception(error))
-    (folder / sweeps.FAILED).write_text(f"{line}\n{trace}", encoding="utf-8")
+    with suppress(OSError):
+        (folder / sweeps.FAILED).write_text(f"{line}\n{trace}", encoding="utf-8")

@@ -40,10 +40,17 @@ class BlackBox:
         time = (memory.steps + 1) * dt
         given = self.fluid(trial, time, memory.fluid)
         answer, kept = given if isinstance(given, Load) else (given, None)
+        name = getattr(self.fluid, "__name__", type(self.fluid).__name__)
         if answer is None:
-            name = getattr(self.fluid, "__name__", type(self.fluid).__name__)
             raise InputError(f"fluid={name}: answered None; return the force")
-        force = np.atleast_1d(np.asarray(answer, float))
+        try:
+            force = np.atleast_1d(np.asarray(answer, float))
+        except (TypeError, ValueError):
+            kind = type(answer).__name__
+            raise InputError(
+                f"fluid={name}: answered a {kind} that is no force; return numbers, or "
+                "squat.Load(force, memory)"
+            ) from None
         if force.shape != trial.position.shape:
             raise InputError(
                 f"fluid: answered a force of shape {force.shape}; "

@@ -60,7 +60,8 @@ def couple(
         returns the force, shape (n,), or ``Load(force, memory)``: that memory is handed back in
         the next step if this answer is the accepted one. Within a step the memory stays.
     position, velocity, acceleration
-        At t = 0; numbers or shape (n,).
+        At t = 0; numbers or shape (n,). An acceleration that does not balance the forces there
+        leaves an error of the order of dt.
     memory
         The fluid's memory at t = 0.
     scheme

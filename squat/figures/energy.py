@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from squat.figures.labels import of_ships
+from squat.figures.labels import of_ships, said_in, stepless
 from squat.figures.style import PALETTE
 from squat.quantities import Vector
 
@@ -30,12 +30,11 @@ def energy_audit(*runs: xr.Dataset) -> Figure:
     figure = Figure(figsize=(9.0, 7.6), layout="constrained")
     panels = figure.subplot_mosaic([["ship", "whole"], ["rest", "rest"]])
     first, labels = runs[0], of_ships(runs)
-    time = first["time"].values
-    _balance(panels["ship"], time, _terms(first, _SHIP))
+    _balance(panels["ship"], first, _terms(first, _SHIP))
     named = "" if len(runs) == 1 else f"\n{labels[0]}, first of {len(runs)} runs"
     panels["ship"].set_title(f"Fig. 13: the ship alone{named}", fontsize=10)
     ends = {"minus work of the ends": -first["end_work"].values}
-    _balance(panels["whole"], time, {**_terms(first, _WHOLE), **ends})
+    _balance(panels["whole"], first, {**_terms(first, _WHOLE), **ends})
     panels["whole"].set_title(f"ship, water and the channel's ends{named}", fontsize=10)
     _left_over(panels["rest"], runs, labels)
     shown = f": {labels[0]}, {_settings(first)}" if len(runs) == 1 else f", {len(runs)} runs"
@@ -48,19 +47,28 @@ def _terms(run: xr.Dataset, labels: dict[str, str]) -> dict[str, Vector]:
     return {label: run[name].values - run[name].values[0] for name, label in labels.items()}
 
 
-def _balance(axes: Axes, time: Vector, terms: dict[str, Vector]) -> None:
+def _balance(axes: Axes, run: xr.Dataset, terms: dict[str, Vector]) -> None:
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("energy [MJ/m]")
+    if said := stepless(run):
+        said_in(axes, said)
+        axes.set_xticks([])
+        axes.set_yticks([])
+        return
+    time = run["time"].values
     for (label, values), color in zip(terms.items(), PALETTE, strict=False):
         axes.plot(time, values / 1e6, color=color, label=label)
     total = np.sum(list(terms.values()), axis=0)
     axes.plot(time, total / 1e6, "--", color="black", label="sum")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("energy [MJ/m]")
     axes.legend(fontsize=8, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.18))
 
 
 def _left_over(axes: Axes, runs: Sequence[xr.Dataset], labels: Sequence[str]) -> None:
     """|sum| of both balances over m g T."""
     for run, name, color in zip(runs, labels, PALETTE, strict=False):
+        if said := stepless(run):
+            axes.plot([], [], " ", label=f"{name}: {said}")
+            continue
         config = json.loads(run.attrs["config"])
         weight = float(run["ship_mass"]) * config["water"]["gravity"] * config["hull"]["draft"]
         alone = np.sum(list(_terms(run, _SHIP).values()), axis=0)
@@ -70,6 +78,9 @@ def _left_over(axes: Axes, runs: Sequence[xr.Dataset], labels: Sequence[str]) ->
         ):
             share = np.abs(values[1:]) / weight
             axes.semilogy(run["time"][1:], share, style, color=color, label=label)
+    if all(map(stepless, runs)):
+        axes.set_xticks([])
+        axes.set_yticks([])
     axes.set_xlabel("time [s]")
     axes.set_ylabel("|sum| over $mgT$ [-]")
     axes.set_title(

@@ -6,26 +6,36 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
 
 from squat import catalogue, records
 from squat.catalogue.flat import row_of
 
 _LAST = 99  # more dots than any key has
+_EXTENT = (
+    "time.",
+    "snapshots",
+    "restart.",
+)  # how long and how often: less of a run than what it is
 _WIDE = 42  # letters in a line of an axis label
 _FIXED = "\N{NO-BREAK SPACE}"
+_FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
 
 def telling(table: pd.DataFrame, *first: str) -> list[str]:
     """The fewest configured keys that tell apart what all of them do.
 
     A choice comes before its parts, and the key that names one before what it stands for;
-    before all come those that are asked for `first`, and at the end those that some runs lack.
+    before all come those that are asked for `first`, at the end those that some runs lack, and
+    last how long a run is.
     """
     choices = catalogue.parts(table)
 
     def place(name: str) -> int:
         if name in first:
             return -1
+        if name.startswith(_EXTENT):
+            return _LAST + 2
         lacking = table[name].isna().any()
         return name.count(".") if name in choices and not lacking else _LAST + int(lacking)
 
@@ -59,6 +69,18 @@ def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
         stream = "" if speed is None else f"$V_\\infty$ = {speed:g} m/s"
         labels.append(", ".join(filter(None, [stream, named({str(k): v for k, v in row.items()})])))
     return labels
+
+
+def stepless(run: xr.Dataset) -> str:
+    """What to say of a run that has its start only; empty: it went on from there."""
+    if run.sizes["time"] > 1:
+        return ""
+    return f"no step was accepted:\nthe first {_FAILED.get(run.attrs['status'], 'failed')}"
+
+
+def said_in(axes: Axes, text: str) -> None:
+    """`text` in the middle of a diagram that has nothing to draw."""
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center")
 
 
 def flattened(*runs: xr.Dataset) -> str:

@@ -61,8 +61,12 @@ def _distinct(
 
 
 def _hides(below: Vector, above: Vector) -> bool:
-    """Whether most of the shorter of two curves (2, n), scaled to the picture, is on the other."""
-    if not (below.size and above.size):
+    """Whether most of the shorter of two curves (2, n), scaled to the picture, is on the other.
+
+    A point, which is drawn as a ring, hides but another one.
+    """
+    least, most = sorted((below.shape[1], above.shape[1]))
+    if least == 0 or least == 1 < most:
         return False
     return max(_share(below, above), _share(above, below)) > 0.5
 

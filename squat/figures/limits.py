@@ -15,10 +15,11 @@ from squat.figures.style import BLUE, GREEN, ORANGE, PALETTE, PURPLE, RED, singl
 from squat.quantities import Vector
 
 _LIMITS = (
-    ("squat_speed_1d", "1D", ORANGE),
-    ("squat_speed_2d", "2D", GREEN),
-    ("dynamic_squat_speed", "dynamic", PURPLE),
+    ("squat_speed_1d", "1D", ORANGE, 4.0),
+    ("squat_speed_2d", "2D", GREEN, 1.5),
+    ("dynamic_squat_speed", "dynamic", PURPLE, 1.5),
 )
+"""Variable, name, colour and width [pt]: the limit that another may lie upon is the widest."""
 _LOOPS = [(color, style) for color in ("k", RED) for style in ("-", "--", "-.", ":")]
 
 
@@ -34,9 +35,9 @@ def limits(data: xr.Dataset) -> Figure:
         axes.plot(*fold, "k.", zorder=3)
     start = float(data["start_heave"])
     axes.plot(*_deepest(data), "-.", color="k", lw=1.2, label=f"deepest, released at {start:g} m")
-    for name, label, color in _LIMITS:
+    for name, label, color, width in _LIMITS:
         limit = float(data[name])
-        axes.axvline(limit, color=color, lw=1.5, label=f"{label} limit {limit:.3f} m/s")
+        axes.axvline(limit, color=color, lw=width, label=f"{label} limit {limit:.3f} m/s")
     low = bottom(data)
     axes.axhspan(1.055 * low, low, color="0.85", lw=0, label="below the bottom")
     fastest = max(float(data[name]) for name, *_ in _LIMITS)

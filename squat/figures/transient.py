@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from squat import records
 from squat.errors import InputError
-from squat.figures.labels import flattened, of_ships
+from squat.figures.labels import flattened, of_ships, said_in, stepless
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
 from squat.quantities import Vector
 from squat.stability.keel import keel_pressure, squat_speed, underside
@@ -19,7 +19,6 @@ _SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: cor
 _ROOT = "root, Eq. (27)"
 _FAR = 5.0  # roots over this many spans of the motion would flatten it
 _FLAT = "bottom flat at the channel's depth"
-_FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
 
 def fig11(*runs: xr.Dataset) -> Figure:
@@ -91,11 +90,14 @@ def _heave(axes: Axes, run: xr.Dataset, called: str) -> None:
     start = "o" if run.sizes["time"] == 1 else None
     axes.plot(run["phase"], run["heave"], marker=start, color=BLUE, label="heave $w$")
     seen = np.append(run["heave"].values, run["stable_root"])
+    # A motion that does not come down to the stable root leaves that at the bottom, and room above.
+    low = float(run["heave"].min()) < run["stable_root"]
+    free: Any = {"x": 0.98, "y": 0.03, "ha": "right"} if low else {"x": 0.02, "y": 0.15}
     for name, color in (("stable", GREEN), ("unstable", RED)):
         root = float(run[f"{name}_root"])
         if np.nanmin(seen) - root > _FAR * np.ptp(seen) > 0:
-            axes.text(0.98, 0.03, f"{name} root far below, {root:.2f} m", color=color, fontsize=8,
-                      ha="right", transform=axes.transAxes)  # fmt: skip
+            said = f"{name} root far below, {root:.2f} m"
+            axes.text(s=said, color=color, fontsize=8, transform=axes.transAxes, **free)
         elif np.isfinite(root):
             axes.axhline(root, color=color, ls="--", lw=1, label=f"{name} {called}")
     axes.set_ylabel("$w$ [m]")
@@ -103,12 +105,11 @@ def _heave(axes: Axes, run: xr.Dataset, called: str) -> None:
 
 def _iterations(axes: Axes, run: xr.Dataset) -> None:
     axes.set_ylabel("iterations [-]")
-    if run.sizes["time"] == 1:
-        said = f"no step was accepted:\nthe first {_FAILED.get(run.attrs['status'], 'failed')}"
-        axes.text(0.5, 0.5, said, transform=axes.transAxes, ha="center", va="center")
+    if said := stepless(run):
+        said_in(axes, said)
         axes.set_yticks([])
         return
-    axes.plot(run["phase"][1:], run["iterations"][1:], ".", ms=4, color=BLUE)
+    axes.plot(run["phase"][1:], run["iterations"][1:], ".", ms=4, color=BLUE, clip_on=False)
     axes.set_ylim(0, 1.1 * float(run["iterations"].max()) + 1)
 
 
@@ -159,6 +160,9 @@ def fig13(*runs: xr.Dataset) -> Figure:
     labels = {"kinetic_energy": "$E_c$", "potential_energy": "$E_p$", "fluid_work": "$W$"}
     colors = (RED, BLUE, GREEN)
     for run, ship, style in zip(runs, of_ships(runs), ("-", "--", ":"), strict=False):
+        if said := stepless(run):
+            axes.plot([], [], " ", label=f"{ship}: {said}")
+            continue
         initial = float(run["kinetic_energy"][0] + run["potential_energy"][0])
         total = np.zeros(run.sizes["time"])
         for (name, label), color in zip(labels.items(), colors, strict=True):
@@ -166,6 +170,9 @@ def fig13(*runs: xr.Dataset) -> Figure:
             total += part
             axes.plot(run["phase"], part, style, color=color, label=f"{label}, {ship}")
         axes.plot(run["phase"], total, style, color=ORANGE, label=f"sum, {ship}")
+    if all(map(stepless, runs)):
+        axes.set_xticks([])
+        axes.set_yticks([])
     axes.set_xlabel("$\\omega t$ [-]")
     axes.set_ylabel("energy over $E_0$ [-]")
     figure.legend(loc="outside right upper", fontsize=8)

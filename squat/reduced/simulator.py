@@ -1,6 +1,7 @@
 """A ship for simulators: set it free, then step it through any current and forces."""
 
 import math
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -37,7 +38,8 @@ class State(NamedTuple):
     current
         V of the water relative to the ship [m/s].
     grounded
-        The ship came closer to the bottom than the model reaches; from then on it stays.
+        The ship came closer to the bottom than the model reaches; from then on it stays where it
+        was at most `max_step` before.
     """
 
     time: float
@@ -92,8 +94,8 @@ class Simulator:
         self._motion = _motion(reduced, water, body)
         self._phase = self._motion.at_rest(q)
         self._force = self._motion.force(0.0)
-        place = self._motion.place(self._phase)
-        self._state = State(0.0, *place, current=self._speed, grounded=False)
+        self._place = self._motion.place(self._phase)
+        self._state = State(0.0, *self._place, current=self._speed, grounded=False)
 
     @staticmethod
     def load(path: Path | str, position: ArrayLike, current: float, **options: Any) -> "Simulator":
@@ -123,35 +125,34 @@ class Simulator:
         InputError
             Where an argument is not finite, dt not positive, or the current negative.
         PositionError
-            Where the ship leaves the model's box, but for the bottom.
+            Where the ship leaves the model's box, but for the bottom; it is where it was before.
         """
         if not 0 < dt < math.inf:
             raise InputError(f"dt={dt}: must be positive and finite")
         force, speed = self._motion.force(external_force), _checked(current)
         rate = (speed - self._speed) / dt
         start, end = Drive(self._speed, rate, self._force), Drive(speed, rate, force)
-        self._speed, self._force = speed, force
-        time, grounded, place = self._state.time + dt, self._state.grounded, None
-        if not grounded:
-            try:
-                self._march(dt, start, end)
-                place = self._motion.place(self._phase)
-            except GroundedError:
-                grounded = True
-        if place is None:
-            _, heave, _, pitch, _, clearance, _, _ = self._state
-            place = Place(heave, 0.0, pitch, 0.0, clearance)
-        self._state = State(time, *place, speed, grounded)
+        phase, place, grounded = self._phase, self._place, True
+        if not self._state.grounded:
+            phase, place, grounded = self._march(dt, start, end)
+        self._speed, self._force, self._phase, self._place = speed, force, phase, place
+        if grounded:
+            place = place._replace(heave_velocity=0.0, pitch_velocity=0.0)
+        self._state = State(self._state.time + dt, *place, speed, grounded)
         return self._state
 
-    def _march(self, dt: float, start: Drive, end: Drive) -> None:
+    def _march(self, dt: float, start: Drive, end: Drive) -> tuple[Any, Place, bool]:
+        """Phase and place after `dt`, or the last ones before the bottom; whether that was met."""
         parts = math.ceil(dt / self._max_step)
-        if parts == 1:
-            self._phase = self._motion.advance(self._phase, dt, start, end)
-            return
-        marks = [start.towards(end, i / parts) for i in range(parts + 1)]
-        for i in range(parts):
-            self._phase = self._motion.advance(self._phase, dt / parts, marks[i], marks[i + 1])
+        marks = [start, *(start.towards(end, i / parts) for i in range(1, parts)), end]
+        phase, place = self._phase, self._place
+        for one, other in pairwise(marks):
+            try:
+                after = self._motion.advance(phase, dt / parts, one, other)
+                phase, place = after, self._motion.place(after)
+            except GroundedError:
+                return phase, place, True
+        return phase, place, False
 
 
 def _motion(reduced: Loaded, water: Water, body: RigidBody | None) -> Motion:

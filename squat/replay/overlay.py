@@ -35,7 +35,7 @@ def time_view(
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
         axis_x=time_axis(_last(runs)),
-        axis_y=_axis(shown, plot.least_span, above, below),
+        axis_y=_axis(shown, plot.least_span, above, below, plot.base),
         plot_legend=rrb.PlotLegend(plot.legend),
     )
 
@@ -52,20 +52,24 @@ def _last(runs: tuple[Run, ...]) -> float:
     return max(float(run.span.time[-1]) for run in runs)
 
 
-def _axis(shown: Named, least: float, above: float, below: float = 0.0) -> rrb.ScalarAxis | None:
+def _axis(
+    shown: Named, least: float, above: float, below: float = 0.0, base: float | None = None
+) -> rrb.ScalarAxis | None:
     """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them.
 
     A share of it, `above` or `below`, is left to the legend; there it may cover level lines. Dots
-    stand off the ends.
+    stand off the ends, and what stands on a `base`.
     """
     told = _finite([values for _, values in shown])
     if not told.size:
         return None
     low, high = float(told.min()), float(told.max())
+    low = low if base is None else min(low, base)
     if high - low < least:
         middle = (low + high) / 2
         return rrb.ScalarAxis(range=(middle - least / 2, middle + least * (1 / (1 - above) - 0.5)))
-    edge = _EDGE * (high - low) if any(values.size == 1 for _, values in shown) else 0.0
+    apart = base is not None or any(values.size == 1 for _, values in shown)
+    edge = _EDGE * (high - low) if apart else 0.0
     moving = _finite([values for _, values in shown if values.size > 2])
     deep = (high - float(moving.min())) / (1 - below) if below and moving.size else 0.0
     lowest = min(low - edge, high - deep)
@@ -83,13 +87,13 @@ def _overlaid(plot: Plot) -> Draw:
 
     def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         shown: Named = []
-        for number, run in enumerate(runs):
+        for run in runs:
             for curve in plot.curves:
                 if run.label and not curve.compared:
                     continue
                 own = bool(run.label) and not _one_for_all(curve, runs)
                 clock, told = _rows(run, curve)
-                color = _color(curve, run, number) if own else curve.color
+                color = _color(curve, run) if own else curve.color
                 path = entity(run, "plots", plot.name, curve.name)
                 label = _name(plot, curve, run) if own else curve.label
                 shown.append((label, told))
@@ -109,9 +113,9 @@ def _one_for_all(curve: Curve, runs: tuple[Run, ...]) -> bool:
     return bool(np.allclose(values, values[0], rtol=1e-9, atol=0, equal_nan=True))
 
 
-def _color(curve: Curve, run: Run, number: int) -> str:
+def _color(curve: Curve, run: Run) -> str:
     """The run's colour, that of a constant lighter or darker by its `shade`."""
-    own = run_color(number)
+    own = run_color(run.number)
     return own if curve.values(run.data).ndim else shaded(own, curve.shade)
 
 
@@ -137,7 +141,7 @@ def _differing(plot: Plot) -> Draw:
         first, *others = runs
         paths: list[str] = []
         shown: Named = []
-        for number, run in enumerate(others, 1):
+        for run in others:
             for curve in _varying(plot, run):
                 clock, values = difference(first, run, curve)
                 if len(values) < 2:  # the start alone is no common time
@@ -145,7 +149,7 @@ def _differing(plot: Plot) -> Draw:
                 name = _name(plot, curve, run)
                 shown.append((name, values))
                 path = entity(run, "differences", plot.name, curve.name)
-                recorder.series(path, clock, values, name, run_color(number))
+                recorder.series(path, clock, values, name, run_color(run.number))
             paths.append(entity(run, "differences", plot.name))
         title = _titled(plot, first, others, any(np.isfinite(told).any() for _, told in shown))
         placed = plot._replace(legend=rrb.Corner2D.RightTop)  # they start from 0, anywhere

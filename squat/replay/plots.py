@@ -42,7 +42,8 @@ class Plot(NamedTuple):
 
     `title` for a single run, `several` for more, where it has to tell which curves are compared.
     `least_span` of the vertical axis keeps rounding from filling the diagram. Differences of a
-    plot that stands elsewhere than in `Place.PLOT` stand beside it.
+    plot that stands elsewhere than in `Place.PLOT` stand beside it. The axis reaches down to
+    `base`, if there is one.
     """
 
     name: str
@@ -53,6 +54,7 @@ class Plot(NamedTuple):
     least_span: float = 0.0
     place: Place = Place.PLOT
     several: str = ""
+    base: float | None = None
 
 
 def variable(name: str) -> Values:
@@ -63,6 +65,13 @@ def variable(name: str) -> Values:
 def counts(data: xr.Dataset) -> xr.DataArray:
     """Iterations of the steps taken: the start takes none."""
     return data["iterations"].where(data["iterations"] > 0)
+
+
+def near_root(data: xr.Dataset) -> xr.DataArray:
+    """The unstable root, unless it is so far below that it would flatten the motion."""
+    seen = np.append(data["heave"].values, data["stable_root"].values)
+    span = np.nanmax(seen) - np.nanmin(seen)
+    return data["unstable_root"].where(np.nanmin(seen) - data["unstable_root"] <= _FAR * span)
 
 
 def since_start(*names: str) -> Values:
@@ -85,6 +94,7 @@ def failed_contraction(data: xr.Dataset) -> xr.DataArray:
     return data.get("failed_contraction", xr.DataArray(np.nan))
 
 
+_FAR = 5.0  # spans of the motion
 _ROOTS = ("stable root of (27)", "unstable root of (27)")
 _WATER = ("water_energy", "static_energy", "stream_energy")
 PLOTS = (
@@ -95,7 +105,7 @@ PLOTS = (
         (
             Curve("heave", variable("heave"), "w", SKY, compared=True),
             Curve("stable_root", variable("stable_root"), _ROOTS[0], GREEN, True, 0.75, 0.5),
-            Curve("unstable_root", variable("unstable_root"), _ROOTS[1], RED, True, 0.75, -0.5),
+            Curve("unstable_root", near_root, _ROOTS[1], RED, True, 0.75, -0.5),
         ),
         rrb.Corner2D.LeftBottom,
     ),
@@ -125,6 +135,7 @@ PLOTS = (
         "Iterations of a step",
         ("iterations",),
         (Curve("iterations", counts, "iterations", SKY, compared=True, whole=True),),
+        base=0.0,
     ),
     Plot(
         "ship_energies",

@@ -40,10 +40,10 @@ def phase_portrait(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         "velocity w' [m/s]",
         _HEIGHT,
     )
-    for number, (run, land) in enumerate(zip(runs, lands, strict=True)):
-        _levels(recorder, chart, run, land, number)
+    for run, land in zip(runs, lands, strict=True):
+        _levels(recorder, chart, run, land)
         points = np.column_stack([run.data[name].values for name in ("heave", "heave_velocity")])
-        color = run_color(number) if run.label else ORANGE
+        color = run_color(run.number) if run.label else ORANGE
         chart.curve(recorder, run, "trail", run.steps, trail(run, points), color, _WIDE)
         chart.point(recorder, run, "ship", run.steps, points, color)
         for name, w in land.equilibria.items():
@@ -51,11 +51,11 @@ def phase_portrait(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
     return [chart.view(recorder, runs)]
 
 
-def _levels(recorder: Recorder, chart: Chart, run: Run, land: Landscape, number: int) -> None:
+def _levels(recorder: Recorder, chart: Chart, run: Run, land: Landscape) -> None:
     """Curves of constant energy; the grey ones of a single run only."""
     top, low, high = land.barrier, *chart.x
     well = float(land.potential(land.stable))
-    color = run_color(number)
+    color = run_color(run.number)
     own = land.level(float(run.data["initial_energy"]), low, high)
     if np.isfinite(top):
         if not run.label:
@@ -95,17 +95,17 @@ def potential(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         "U - U(0) [kJ/m]",
         _HEIGHT,
     )
-    for number, (run, land) in enumerate(zip(runs, lands, strict=True)):
-        _potential(recorder, chart, run, land, number)
+    for run, land in zip(runs, lands, strict=True):
+        _potential(recorder, chart, run, land)
     return [chart.view(recorder, runs)]
 
 
-def _potential(recorder: Recorder, chart: Chart, run: Run, land: Landscape, number: int) -> None:
+def _potential(recorder: Recorder, chart: Chart, run: Run, land: Landscape) -> None:
     w, total = run.data["heave"].values, _above_rest(land, energy(run))
     held = total - kinetic(run) / _THOUSAND
     along = np.linspace(*chart.x, 400)
     curve = np.column_stack([along, _above_rest(land, land.potential(along))])
-    color = run_color(number) if run.label else ""
+    color = run_color(run.number) if run.label else ""
     chart.still(recorder, run, "potential", [curve], color or PALE, 2)
     levels = [np.column_stack([chart.x, [value, value]]) for value in total]
     chart.curve(recorder, run, "energy", run.steps, levels, color or SKY)

@@ -55,11 +55,11 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
         "x from the bow [m]",
         "pressure less hydrostatic [kPa]",
     )
-    for number, (run, along, field, level) in enumerate(zip(runs, x, fields, uniform, strict=True)):
+    for run, along, field, level in zip(runs, x, fields, uniform, strict=True):
         lines = [np.column_stack([along, row]) for row in field]
         flat = [np.column_stack([along[[0, -1]], [value, value]]) for value in level]
         several = bool(run.label)
-        color = run_color(number)
+        color = run_color(run.number)
         chart.curve(recorder, run, "one_dimensional", run.steps, flat, color if several else ORANGE)
         chart.curve(recorder, run, "two_dimensional", run.steps, lines, color if several else SKY)
     return [chart.view(recorder, runs)]
@@ -94,9 +94,9 @@ def residuals(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         "iteration",
         "log10 |w^(k+1) - w^k| [m]",
     )
-    for number, (run, lines, failure) in enumerate(zip(runs, taken, failed, strict=True)):
+    for run, lines, failure in zip(runs, taken, failed, strict=True):
         shown = [n for n, line in enumerate(lines) if len(line)]
-        color = run_color(number) if run.label else SKY
+        color = run_color(run.number) if run.label else SKY
         if shown:
             rows = [lines[n] for n in shown]
             chart.curve(recorder, run, "step", run.steps.at(shown), rows, color)

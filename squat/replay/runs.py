@@ -51,12 +51,15 @@ class Run:
         The file and what it holds.
     fields
         Its snapshots; None where it has none.
+    number
+        Its place among the runs of a recording, which its colour follows from.
     """
 
     label: str
     path: Path
     data: xr.Dataset
     fields: xr.Dataset | None
+    number: int = 0
 
     @property
     def kind(self) -> str:
@@ -138,7 +141,8 @@ def load(files: tuple[str, ...]) -> tuple[Run, ...]:
         folder that holds no run or several.
     """
     paths = [file_of(Path(name)) for name in files]
-    runs = tuple(_load(path, label) for path, label in zip(paths, labels(paths), strict=True))
+    named = zip(paths, labels(paths), strict=True)
+    runs = tuple(_load(path, label, number) for number, (path, label) in enumerate(named))
     for run in runs[1:]:
         if run.kind != runs[0].kind:
             raise InputError(
@@ -188,7 +192,7 @@ def _spoken(override: str) -> str:
     return f"{re.split(r'[.@/]', key)[-1]} {value}" if dash and value else override
 
 
-def _load(path: Path, label: str) -> Run:
+def _load(path: Path, label: str, number: int) -> Run:
     data = records.read(path)
     kind = str(data.attrs["schema"]).split("/")[1]
     if kind not in MOVING:
@@ -197,7 +201,7 @@ def _load(path: Path, label: str) -> Run:
             "give a file of squat task=transient or task=piston"
         )
     held = kind == TRANSIENT.name and "fields" in records.groups(path)
-    return Run(label, path, data, _snapshots(path) if held else None)
+    return Run(label, path, data, _snapshots(path) if held else None, number)
 
 
 def _snapshots(path: Path) -> xr.Dataset:

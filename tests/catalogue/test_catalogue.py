@@ -1,6 +1,7 @@
 """Runs are found wherever they lie, told apart by what differs, filtered, sorted, compared."""
 
 import json
+import shutil
 
 import numpy as np
 import pandas as pd
@@ -193,6 +194,15 @@ def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):
     kept = pd.read_parquet(tmp_path / "catalogue.parquet")
     assert sorted(kept["piston.mass_ratio"]) == [0.5, 0.9]
     assert "piston.length" in kept.columns
+
+
+def test_jobs_that_failed_are_counted(runs, tmp_path, capsys):
+    shutil.copytree(runs, tmp_path / "runs")
+    (tmp_path / "runs" / "bad").mkdir()
+    (tmp_path / "runs" / "bad" / "failed.txt").write_text("refused\n")
+    case = CatalogueCase(runs=str(tmp_path / "runs"), where="", sort=(), columns=())
+    write_catalogue(case, tmp_path / "all.parquet")
+    assert " runs, and 1 jobs that failed (failed.txt" in capsys.readouterr().out
 
 
 def test_parts_of_a_choice_are_printed_only_where_its_name_does_not_imply_them():

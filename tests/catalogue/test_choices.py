@@ -137,6 +137,12 @@ def test_a_figure_is_plotted_over_a_choice_and_over_a_part_of_one_in_one_line(fo
     assert {line.get_label() for line in axes.lines} == {"hull = feeder", "hull = coaster"}
 
 
+def test_what_a_run_is_tells_before_how_long_it_is():
+    table = pd.DataFrame({"time.periods": [3.0, 6.0], "modes": ["heave", "heave pitch"]})
+    assert telling(table) == ["modes"]
+    assert telling(table[["time.periods"]]) == ["time.periods"]
+
+
 def test_a_choice_tells_before_its_own_name_does_unless_a_run_lacks_it():
     table = pd.DataFrame(
         {

@@ -123,6 +123,11 @@ def test_no_two_of_twenty_lines_are_alike_and_lines_on_each_other_differ_in_colo
     assert len(set(together)) == len(together)
 
 
+def test_a_point_on_a_line_makes_neither_of_them_wider():
+    line, point = np.stack([np.linspace(0, 1, 50)] * 2), np.zeros((2, 1))
+    assert len({look["lw"] for look in looks([line, point])}) == 1
+
+
 def test_runs_that_coincide_are_all_seen(runs):
     row = find([runs / "deep/0.5"])
     table = pd.concat([row] * 4, ignore_index=True).assign(current=range(4))

@@ -176,6 +176,16 @@ def test_a_force_that_is_no_number_diverges_from_the_first_call_on(scheme, good,
     assert capfd.readouterr().err == ""  # LAPACK complains there
 
 
+@pytest.mark.parametrize("answer", [([-1.0], (1, 2)), "x", {}, 1j])
+def test_a_force_of_another_kind_is_one_line_that_names_it(answer):
+    def odd(motion, time, memory):
+        return answer
+
+    kind = type(answer).__name__
+    with pytest.raises(InputError, match=rf"^fluid=odd: answered a {kind} that is no force"):
+        squat.couple(squat.Structure(1.0), odd, position=1.0, dt=0.1, steps=1)
+
+
 @pytest.mark.parametrize("answer", [None, Load(None, 1)])
 def test_a_force_that_is_forgotten_is_one_line_with_the_name_of_the_function(answer):
     def forgetful(motion, time, memory):

@@ -9,7 +9,7 @@ from squat.config import compose, validate
 from squat.errors import InputError
 from squat.figures.energy import energy_audit
 from squat.figures.labels import of_ships
-from squat.figures.transient import fig11, fig12
+from squat.figures.transient import fig11, fig12, fig13
 from squat.stability.equilibria import OneDimensionalModel
 
 
@@ -79,6 +79,22 @@ def test_a_run_without_an_accepted_step_says_so(sailed):
     assert [text.get_text() for text in right.texts] == [
         "no step was accepted:\nthe first diverged"
     ]
+
+
+@pytest.mark.parametrize("figure", [fig13, energy_audit])
+def test_energies_of_a_run_without_an_accepted_step_are_words(sailed, figure):
+    run = sailed("current=3", "coupling=printed_standard")
+    drawn = figure(run)
+    said = [text.get_text() for axes in drawn.axes for text in axes.texts]
+    said += [text.get_text() for one in _legends(drawn) for text in one.get_texts()]
+    assert any("no step was accepted:\nthe first diverged" in text for text in said)
+    for axes in drawn.axes:
+        assert (list(axes.get_xticks()), list(axes.get_yticks())) == ([], [])
+
+
+def _legends(figure):
+    own = [axes.get_legend() for axes in figure.axes]
+    return [legend for legend in [*figure.legends, *own] if legend is not None]
 
 
 def test_roots_of_eq_27_are_named_where_they_are_and_for_the_box_that_they_are_of(case, sailed):

@@ -138,6 +138,26 @@ def test_grounded_ship_stays_where_it_touched(set_free):
     assert (later.heave, later.grounded, later.time) == (state.heave, True, state.time + 1.0)
 
 
+def test_a_long_step_ends_where_short_ones_would_ground(set_free):
+    """The step that meets the bottom loses its last part alone, of 0.1 s."""
+    short, long = set_free(-0.1, 2.6), set_free(-0.1, 2.6)
+    while not (state := short.step(0.1, 2.6)).grounded:
+        assert state.time < 100
+    while not (coarse := long.step(1.0, 2.6)).grounded:
+        assert coarse.time < 100
+    assert coarse.clearance == pytest.approx(state.clearance, abs=1e-9)
+
+
+def test_a_step_out_of_the_model_leaves_the_ship_where_it_was(set_free):
+    ship, twin = set_free(), set_free()
+    for one in (ship, twin):
+        before = one.step(0.5, 1.2, 1e3)
+    with pytest.raises(PositionError):
+        ship.step(60.0, 1.8, external_force=4e6)
+    assert ship.state == before
+    assert ship.step(0.02, 1.2) == twin.step(0.02, 1.2)
+
+
 def test_heave_and_pitch_follow_lagrange_on_the_full_mesh(pitch):
     """solve_ivp on the full solver's energies, gyroscopic force and -b dV/dt included."""
     full, water = pitch.full(), pitch.case.water

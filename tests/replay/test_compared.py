@@ -6,13 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 import rerun as rr
+import xarray as xr
 
 from squat import records
 from squat.replay.overlay import _axis, difference
 from squat.replay.panels import draw_all
-from squat.replay.plots import Curve
+from squat.replay.plots import Curve, near_root
 from squat.replay.recorder import Recorder
 from squat.replay.runs import labels, load
+from tests.replay.conftest import COARSE
 from tests.replay.reading import NANOSECOND, scalars
 
 
@@ -26,6 +28,31 @@ def test_compared_runs_stand_on_one_axis_with_their_difference(record, entities,
     assert change.time == pytest.approx(first["time"].values[common], abs=NANOSECOND)
     there = np.interp(first["time"].values[common], other["time"].values, other["heave"].values)
     assert np.array_equal(scalars(change), there - first["heave"].values[common])
+
+
+def test_a_run_has_one_colour_where_another_has_no_such_curve_too(record, entities, ship, written):
+    both = written("both", "transient", *COARSE, "modes=[heave,pitch]")
+    found = entities(record(ship, both))
+    assert "ship/plots/pitch/pitch" not in found
+    pitch, heave = (
+        found[f"both/plots/{name}/{name}"].rows["colors"] for name in ("pitch", "heave")
+    )
+    assert pitch == heave
+
+
+def test_a_root_far_below_does_not_flatten_the_motion():
+    near, far = (
+        xr.Dataset(
+            {
+                "heave": ("time", [-0.1, -1.0]),
+                "stable_root": ((), -0.8),
+                "unstable_root": ((), root),
+            }
+        )
+        for root in (-5.0, -8.0)
+    )
+    assert float(near_root(near)) == -5.0
+    assert np.isnan(near_root(far))
 
 
 def test_a_run_less_itself_is_nothing(ship, tmp_path):
@@ -88,25 +115,35 @@ def test_a_plot_without_legend_above_has_the_margins_of_the_viewer():
     assert _axis([("w", heave)], 0.0, above=0.0) is None
 
 
-def test_roots_that_runs_share_are_drawn_as_those_of_a_single_run(record, entities, ship, bare):
-    together, single = entities(record(ship, bare)), entities(record(ship))
+@pytest.fixture
+def fallen(written):
+    """Runs long enough to come near to the unstable root."""
+    keys = (*(key for key in COARSE if not key.startswith("time")), "time.periods=1")
+    return (
+        written("fallen", "transient", *keys),
+        written("fallen_too", "transient", *keys, "time.steps_per_period=50"),
+    )
+
+
+def test_roots_that_runs_share_are_drawn_as_those_of_a_single_run(record, entities, fallen):
+    together, single = entities(record(*fallen)), entities(record(fallen[0]))
     for name in ("stable_root", "unstable_root"):
         alone = single[f"plots/heave/{name}"].rows
-        for run in ("ship", "bare"):
+        for run in ("fallen", "fallen_too"):
             here = together[f"{run}/plots/heave/{name}"].rows
             assert (here["names"], here["colors"]) == (alone["names"], alone["colors"])
 
 
-def test_roots_that_differ_are_told_apart_by_run_and_kind(record, entities, ship, kept):
-    found = entities(record(ship, kept))
+def test_roots_that_differ_are_told_apart_by_run_and_kind(record, entities, fallen, kept):
+    found = entities(record(fallen[0], kept))
     lines = [
         found[f"{run}/plots/heave/{name}"].rows
-        for run in ("ship", "kept")
+        for run in ("fallen", "kept")
         for name in ("heave", "stable_root", "unstable_root")
     ]
     kinds = ("", ": stable root of (27)", ": unstable root of (27)")
     assert [rows["names"][0][0] for rows in lines] == [
-        f"{run}{kind}" for run in ("ship", "kept") for kind in kinds
+        f"{run}{kind}" for run in ("fallen", "kept") for kind in kinds
     ]
     assert len({rows["colors"][0][0] for rows in lines}) == len(lines)
 

@@ -32,8 +32,8 @@ def test_curves_have_the_values_and_both_times_of_the_dataset(shown):
         assert entity.phase == pytest.approx(values["phase"].values, abs=NANOSECOND)
 
 
-def test_both_roots_are_level_lines_from_start_to_end(shown):
-    found, data, _ = shown
+def test_both_roots_are_level_lines_from_start_to_end(record, entities, kept):
+    found, data = entities(record(kept)), records.read(kept)
     for name in ("stable_root", "unstable_root"):
         line = found[f"plots/heave/{name}"]
         assert list(scalars(line)) == [float(data[name])] * 2

@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from squat.cli.tasks import collect
-from squat.config import compose, validate
+from squat.config import compose, job_folder, validate
 from squat.config.units import unit
 from squat.errors import InputError
 from squat.piston import run
@@ -254,6 +254,30 @@ def test_a_killed_sweep_goes_on_with_the_same_command_and_is_joined(squat, tmp_p
     assert (whole["job_status"] == "converged").all()
     assert list(whole["mass_ratio"].values) == [0.2, 0.3, 0.4]
     assert list(read(tmp_path / "cut.nc")["mass_ratio"].values) == [0.2, 0.3, 0.4]
+
+
+def test_a_job_whose_name_no_file_system_takes_has_a_shorter_one(squat, tmp_path):
+    points = [[0, 0], *([x, -4 - x * (30 - x) / 100] for x in range(31)), [30, 0]]
+    hull = "hull=polygon", f"hull.points={points}".replace(" ", "")
+    command = ["-m", "task=equilibria", *hull, "accuracy=coarse", "channel.depth=20,25"]
+    done = squat(*command, "hydra.launcher.n_jobs=1")
+    assert done.returncode == 0, done.stderr
+    names = [path.parent.name for path in tmp_path.rglob("equilibria.nc")]
+    assert len(names) == 2
+    assert all(len(name.encode()) <= 200 for name in names)
+    again = squat(*command, "hydra.launcher.n_jobs=1")
+    assert again.stderr.count("complete, skipped") == 2
+    joined = squat("task=collect", "runs=multirun/equilibria", "out=sweep.nc")
+    assert joined.returncode == 0, joined.stderr
+    assert list(read(tmp_path / "sweep.nc")["depth"].values) == [20.0, 25.0]
+
+
+def test_short_names_stay_and_cut_ones_differ():
+    assert job_folder("current-1__hull-rectangle") == "current-1__hull-rectangle"
+    names = {job_folder("\N{GREEK SMALL LETTER OMEGA}" * 300 + end) for end in "ab"}
+    assert len(names) == 2
+    assert max(len(name.encode()) for name in names) <= 200
+    assert job_folder("a/" + "b" * 300).startswith("a/b")
 
 
 def is_worker(process):
