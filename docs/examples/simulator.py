@@ -26,17 +26,26 @@ def current(t: float) -> float:
     return 1.4 - 0.4 * math.cos(math.pi * min(t, RAMP) / RAMP)
 
 
+def name(stream: rr.RecordingStream) -> None:
+    """Names and units of the curves, in their legends."""
+    for path, unit in (("ship/heave", "m"), ("ship/clearance", "m"), ("water/current", "m/s")):
+        named = f"{path.partition('/')[2]} [{unit}]"
+        stream.log(path, rr.SeriesLines(names=named), static=True)
+
+
 def log(stream: rr.RecordingStream, state: State) -> None:
     """Heave, clearance and current of one instant."""
     stream.set_time("sim_time", duration=state.time)
-    stream.log("ship/heave [m]", rr.Scalars(state.heave))
-    stream.log("ship/clearance [m]", rr.Scalars(state.clearance))
-    stream.log("water/current [m/s]", rr.Scalars(state.current))
+    stream.log("ship/heave", rr.Scalars(state.heave))
+    stream.log("ship/clearance", rr.Scalars(state.clearance))
+    stream.log("water/current", rr.Scalars(state.current))
 
 
 def run(model: str, stream: rr.RecordingStream | None, *, live: bool) -> tuple[State, float]:
     """The last state, and how much faster than real time the steps alone were."""
     ship = Simulator.load(model, position=-0.1, current=current(0.0))
+    if stream is not None:
+        name(stream)
     began, stepping = time.perf_counter(), 0.0
     for n in range(1, round(DURATION / STEP) + 1):
         before = time.perf_counter()
