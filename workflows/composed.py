@@ -2,12 +2,13 @@
 
 import hashlib
 import json
-import os
 from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
+
+from squat.errors import InputError
 
 ROOT = Path(__file__).parents[1]
 STORE = Path(".snakemake/squat/composed.json")
@@ -35,11 +36,9 @@ class Composed:
     def _keep(self) -> None:
         """Write all answers; a folder that cannot be written costs time, and no more."""
         text = json.dumps({"source": self._source, "answers": self._answers})
-        written = self._store.with_suffix(f".{os.getpid()}")
-        with suppress(OSError):
-            self._store.parent.mkdir(parents=True, exist_ok=True)
-            written.write_text(text, encoding="utf-8")
-            written.replace(self._store)
+        atomic = resolve_name("squat.records:atomic")
+        with suppress(InputError), atomic(self._store) as temporary:
+            temporary.write_text(text, encoding="utf-8")
 
 
 def source(root: Path) -> str:

@@ -63,7 +63,7 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
         if left := shown.columns[fitting.shape[1] :].tolist():
             print(f"not shown: {', '.join(left)}")
         print()
-    failed = sum(len(list(folder.rglob(FAILED))) for folder in searched)
+    failed = len({note.resolve() for folder in searched for note in folder.rglob(FAILED)})
     beside = f", and {failed} jobs that failed ({FAILED} in their folders)" if failed else ""
     print(f"{len(frame)} runs{beside}; {path} has all columns")
 
