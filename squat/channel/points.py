@@ -19,6 +19,10 @@ Points = Annotated[tuple[Point, ...], Field(min_length=3)]
 _WIDE = 1e7
 _NOTICED = 1e-3
 """Part of the length whose loss is remarked on."""
+_LOOKS = 33
+"""Points in which a stretch of a curve is looked at for its bend."""
+_STRAIGHT = 1e-9
+"""Part of the largest bend that is rounding."""
 
 
 def _null_or(value: object, check: Callable[[object], Any]) -> Any:
@@ -161,7 +165,8 @@ class Curve(_Given):
     Parameters
     ----------
     segments
-        Chords of the whole closed curve; at least one from each point to the next.
+        Chords of all bends together, shared out so that each strays equally far from the curve;
+        one from each point to the next at least, and where it is straight no more.
     """
 
     shape: Literal["curve"] = "curve"
@@ -175,9 +180,25 @@ class Curve(_Given):
         if np.any(chords == 0):
             raise InputError("hull.points: two neighbours coincide; leave one out")
         s = np.concatenate([[0], np.cumsum(chords)])
-        shares = np.maximum(1, np.rint(self.segments * chords[1:-1] / chords[1:-1].sum()))
+        smooth = scipy.interpolate.PchipInterpolator(s, around)
+        spans = list(zip(s[1:-2], s[2:-1], strict=True))
+        bends = np.array([_bend(smooth(np.linspace(*span, _LOOKS))) for span in spans])
         parts = [
-            np.linspace(start, end, int(n), endpoint=False)
-            for start, end, n in zip(s[1:-2], s[2:-1], shares, strict=True)
+            np.linspace(*span, int(n), endpoint=False)
+            for span, n in zip(spans, self._shares(bends), strict=True)
         ]
-        return np.asarray(scipy.interpolate.PchipInterpolator(s, around)(np.concatenate(parts)))
+        return np.asarray(smooth(np.concatenate(parts)))
+
+    def _shares(self, bends: Vector) -> Vector:
+        """Chords of each stretch: n of them stray from it by its bend over n^2."""
+        roots = np.sqrt(np.where(bends > _STRAIGHT * bends.max(), bends, 0.0))
+        return np.asarray(
+            np.maximum(1, np.rint(self.segments * roots / max(roots.sum(), _STRAIGHT)))
+        )
+
+
+def _bend(stretch: Vector) -> float:
+    """How far `stretch`, shape (n, 2), strays from its chord [m]."""
+    along, offsets = stretch[-1] - stretch[0], stretch - stretch[0]
+    across = offsets[:, 0] * along[1] - offsets[:, 1] * along[0]
+    return float(np.abs(across).max() / np.hypot(*along))

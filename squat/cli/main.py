@@ -4,6 +4,7 @@ import logging
 import os
 import sys
 import warnings
+from argparse import ArgumentParser
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import nullcontext
 from pathlib import Path
@@ -46,6 +47,7 @@ def main() -> None:
 def _main() -> None:
     os.environ["HYDRA_FULL_ERROR"] = "1"  # errors reach this function, not Hydra's printer
     guard()
+    _let_hydra_parse()
     warnings.filterwarnings("error", "provider=", UserWarning)  # a search path that does not exist
     Jobs.reset()
     if sys.argv[1:] == ["--version"]:
@@ -75,6 +77,11 @@ def _main() -> None:
         Jobs.finish()
     if Jobs.failed:
         sys.exit(BAD_INPUT)
+
+
+def _let_hydra_parse() -> None:
+    """Since 3.14 Python's parsers refuse a help text that is no string, and Hydra 1.3 has one."""
+    ArgumentParser._check_help = lambda self, action: None  # type: ignore[attr-defined]
 
 
 def _check_options(arguments: list[str]) -> None:

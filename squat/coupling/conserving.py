@@ -9,7 +9,7 @@ import numpy as np
 from squat.coupling.criteria import Criterion
 from squat.coupling.loop import State, Step, contraction
 from squat.dynamics import Motion
-from squat.dynamics.energy_momentum import Limits, Outcome, Phase, advance
+from squat.dynamics.energy_momentum import ROUNDING, Limits, Outcome, Phase, advance
 from squat.dynamics.lagrangian import Lagrangian, OneMode, acceleration
 from squat.dynamics.one_mode import advance_one
 from squat.quantities import Vector
@@ -23,16 +23,21 @@ class _End(NamedTuple):
 
 @dataclass(frozen=True)
 class Modes:
-    """A system of n modes; `lengths` (n,) make them comparable: 1, for pitch L/2 [m]."""
+    """A system of n modes; `lengths` (n,) make them comparable: 1, for pitch L/2 [m].
+
+    `rounding` is the share of its energy that the system does not know.
+    """
 
     system: Lagrangian
     lengths: Vector
+    rounding: float = ROUNDING
 
     def advance(self, motion: Motion, dt: float, limits: Limits) -> _End:
         """Motion at the end of a step, how its sweeps ended, their changes (k, n)."""
         q, velocity, _ = motion
         phase = Phase(q, self.system.mass(q) @ velocity)
-        (q, P), outcome, changes = advance(self.system, phase, dt, self.lengths, limits)
+        end = advance(self.system, phase, dt, self.lengths, limits, self.rounding)
+        (q, P), outcome, changes = end
         velocity = np.asarray(np.linalg.solve(self.system.mass(q), P), float)
         return _End(Motion(q, velocity, acceleration(self.system, q, velocity)), outcome, changes)
 

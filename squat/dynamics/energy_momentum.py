@@ -23,7 +23,9 @@ from squat.quantities import Vector
 Outcome = Literal["converged", "diverged", "iteration limit"]
 EPS = float(np.finfo(float).eps)
 ROUNDING = 32 * EPS
-"""Share of an energy below which a difference of two means nothing."""
+"""Share of an energy below which a difference of two means nothing, where that is exact to EPS."""
+_APART, _LOOKS = 1e-9, 8
+"""Distance [m] of positions whose energies differ by rounding and a straight line; how many."""
 
 
 class Phase(NamedTuple):
@@ -71,12 +73,30 @@ class Limits:
 LIMITS = Limits()
 
 
+def rounding_of(system: Lagrangian, q: Vector, lengths: Vector) -> float:
+    """Share of its energy that `system` does not know, near q: a flow's solves round more than EPS.
+
+    Twice what second differences of M and U over a nanometre leave, and `ROUNDING` at least.
+    """
+    places = q + np.arange(_LOOKS)[:, None] * _APART / lengths
+    masses = np.array([system.mass(place) / np.outer(lengths, lengths) for place in places])
+    energies = np.array([system.potential(place) for place in places])
+    return max(ROUNDING, 2 * _left(masses), 2 * _left(energies))
+
+
+def _left(values: Vector) -> float:
+    """Largest second difference along the first axis, over the largest value."""
+    largest = np.abs(values).max()
+    return float(np.abs(np.diff(values, 2, axis=0)).max() / largest) if largest > 0 else 0.0
+
+
 def advance(
     system: Lagrangian,
     phase: Phase,
     dt: float,
     lengths: Vector,
     limits: Limits = LIMITS,
+    rounding: float = ROUNDING,
 ) -> Advance:
     """One step of `dt` [s].
 
@@ -84,6 +104,8 @@ def advance(
     ----------
     lengths
         Square roots of D's diagonal, shape (n,): 1 for a translation, L/2 [m] for pitch.
+    rounding
+        Share of an energy below which a difference of two means nothing, see `rounding_of`.
     """
     (q0, P0), D = phase, lengths**2
     W0, U0 = np.linalg.inv(system.mass(q0)), system.potential(q0)
@@ -97,7 +119,7 @@ def advance(
         g, U1 = _gradient(system, q0 + dq / 2, (P0, P1)), system.potential(q1)
         kinetic = (P1 @ (W1 - W0) @ P1 + P0 @ (W1 - W0) @ P0) / 4
         lacking = kinetic + U1 - U0 - g @ dq
-        if abs(lacking) > ROUNDING * (abs(U1) + P0 @ W0 @ P0):
+        if abs(lacking) > rounding * (abs(U1) + P0 @ W0 @ P0):
             g = g + lacking / (dq @ (D * dq)) * D * dq
         dP = system.gyroscopic(q0 + dq / 2) @ dq - dt * g
         changes.append(dt / 2 * (W0 + W1) @ (P0 + dP / 2) - dq)

@@ -19,6 +19,7 @@ from squat.coupling import (
     standard,
 )
 from squat.dynamics import Motion, RigidBody
+from squat.dynamics.energy_momentum import rounding_of
 from squat.fluid.curves import POINTS, Curves
 from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.heave import HeaveEnergy
@@ -143,9 +144,12 @@ def _coupling(
     if choice.conserving:
         assert isinstance(problem, EnergyProblem)  # TransientCase refuses others
         energy = problem.energy
-        whole: Modes | SingleMode = Modes(energy, energy.lengths)
+        whole: Modes | SingleMode
         if isinstance(energy.model, Curves):
             whole = SingleMode(HeaveEnergy(energy))
+        else:
+            known = rounding_of(energy, case.start[0], energy.lengths)
+            whole = Modes(energy, energy.lengths, known)
         return Conserving.of(whole, choice.criterion, problem.remember)
     return Coupling(
         _scheme(case, loop, problem.model, added_mass),

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from pydantic import TypeAdapter, ValidationError
+from shapely.geometry import LinearRing, Point
 
 from squat.channel import (
     AnyHull,
@@ -207,14 +208,21 @@ def test_a_curve_has_the_bounding_box_of_its_points_and_turns_back_at_none_but_t
     assert curve.draft == -min(z for _, z in points)
 
 
-def test_a_flat_keel_and_upright_sides_of_a_curve_stay_so():
+def test_a_flat_keel_and_upright_sides_of_a_curve_are_a_chord_each():
     x, z = Curve(points=SHIPS["shipped"], wall=1.0, segments=200).curve().T
-    keel = (x >= 12) & (x <= 28) & (z < 0)
-    assert keel.sum() > 20
-    assert np.all(z[keel] == -10)
-    side = (np.abs(z) <= 2) & (x < 20)
-    assert side.sum() > 5
-    assert np.all(x[side] == 0)
+    assert list(x[z == -10]) == [12, 28]
+    assert list(z[(x == 0) & (np.abs(z) <= 2)]) == [2, -2]
+
+
+def test_chords_of_a_ship_with_a_long_keel_close_in_on_its_curve_with_their_square():
+    ends = (0, 0), (0, -6), (4, -12), (14, -14.5), (230, -14.5)
+    points = (*ends, (260, -12), (285, -6), (300, -3), (300, 0))
+    drawn = {n: LinearRing(Curve(points=points, wall=2.0, segments=n).curve()) for n in (60, 120)}
+    curve = Curve(points=points, wall=2.0, segments=400).curve()
+    strays = {n: max(ring.distance(Point(p)) for p in curve) for n, ring in drawn.items()}
+    assert strays[60] / strays[120] == pytest.approx(4, rel=0.1)
+    # Shared out by length, a bow of 14 m would have three of 60 chords, and stray by half a metre.
+    assert strays[60] < 0.05
 
 
 @pytest.mark.parametrize("kind", ["polygon", "curve"])

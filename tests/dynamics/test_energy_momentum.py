@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from squat.dynamics.energy_momentum import LIMITS, Limits, Phase, advance
+from squat.dynamics.energy_momentum import (
+    LIMITS,
+    ROUNDING,
+    Limits,
+    Phase,
+    advance,
+    rounding_of,
+)
 from squat.dynamics.lagrangian import acceleration, energy
 from squat.dynamics.one_mode import advance_one, trajectory
 
@@ -68,6 +75,17 @@ class AsArrays:
 
     def gyroscopic(self, q):
         return np.zeros((1, 1))
+
+
+class Blurred(Pendulum):
+    """The pendulum as a flow's solves would answer: M and U with noise, their derivatives without."""
+
+    noise = 1e-10
+
+    def __call__(self, w):
+        M, U, dM, dU = super().__call__(w)
+        blur = self.noise * float(np.sin(1e13 * w))
+        return M * (1 + blur), U * (1 - blur), dM, dU
 
 
 def run(system, dt, steps, position=START[0], velocity=START[1]):
@@ -146,6 +164,27 @@ def test_rest_at_an_equilibrium_stays():
     assert (w, P, outcome) == (0.0, 0.0, "converged")
     phase = Phase(np.zeros(1), np.zeros(1))
     assert advance(AsArrays(Pendulum()), phase, 0.1, np.ones(1)).phase == phase
+
+
+def test_rounding_of_a_system_is_measured():
+    assert rounding_of(Spinning(), START[0], LENGTHS) == pytest.approx(ROUNDING, rel=0.5)
+    found = rounding_of(AsArrays(Blurred()), np.array([0.3]), np.ones(1))
+    # Second differences of noise within +-1e-10 reach four times that.
+    assert Blurred.noise < found <= 8.1 * Blurred.noise
+
+
+def test_noise_of_a_flow_does_not_keep_a_step_over_a_turning_point_from_converging():
+    system, q, dt = AsArrays(Blurred()), np.array([0.3]), 0.05
+    back = -acceleration(system, q, np.zeros(1)) * dt / 2  # turns half way: q1 - q0 is near zero
+    phase = Phase(q, system.mass(q) @ back)
+    noisy = advance(system, phase, dt, np.ones(1))
+    assert (noisy.outcome, len(noisy.changes)) == ("iteration limit", LIMITS.sweeps)
+    known = rounding_of(system, q, np.ones(1))
+    found = advance(system, phase, dt, np.ones(1), rounding=known)
+    assert found.outcome == "converged"
+    assert len(found.changes) < 10
+    before, after = level(system, phase), level(system, found.phase)
+    assert after - before == pytest.approx(0, abs=known * abs(before))
 
 
 def test_too_long_a_step_is_not_passed_off_as_converged():
