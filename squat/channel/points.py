@@ -1,5 +1,6 @@
 """Hull sections given by points, straight or smooth."""
 
+import itertools
 from abc import abstractmethod
 from collections.abc import Callable
 from typing import Annotated, Any, Literal
@@ -181,7 +182,7 @@ class Curve(_Given):
             raise InputError("hull.points: two neighbours coincide; leave one out")
         s = np.concatenate([[0], np.cumsum(chords)])
         smooth = scipy.interpolate.PchipInterpolator(s, around)
-        spans = list(zip(s[1:-2], s[2:-1], strict=True))
+        spans = list(itertools.pairwise(s[1:-1]))
         bends = np.array([_bend(smooth(np.linspace(*span, _LOOKS))) for span in spans])
         parts = [
             np.linspace(*span, int(n), endpoint=False)

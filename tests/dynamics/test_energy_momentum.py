@@ -78,7 +78,7 @@ class AsArrays:
 
 
 class Blurred(Pendulum):
-    """The pendulum as a flow's solves would answer: M and U with noise, their derivatives without."""
+    """The pendulum as a flow would answer: M and U with noise, their derivatives without."""
 
     noise = 1e-10
 
