@@ -25,9 +25,10 @@ from omegaconf import DictConfig
 
 from squat import sweeps
 from squat.cli.log import refuse, start_logging
-from squat.config import CONF, job_folder
+from squat.config import CONF
 from squat.errors import InputError
 from squat.progress import hide, progress
+from squat.sweeps.folders import job_folder
 
 Outcome = Literal["done", "skipped", "failed"]
 _NUMBER = re.compile(r"[-+.\deE]+")

@@ -10,7 +10,7 @@ from hydra.core.global_hydra import GlobalHydra
 from omegaconf import DictConfig, OmegaConf, open_dict
 
 import squat
-from squat.config.folders import job_folder
+from squat.sweeps.folders import job_folder
 
 OmegaConf.register_new_resolver("job_folder", job_folder, replace=True)
 

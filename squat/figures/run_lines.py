@@ -9,8 +9,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from squat import records
+from squat.catalogue.telling import named, telling
 from squat.errors import InputError
-from squat.figures.labels import axis_label, named, telling
+from squat.figures.labels import axis_label
 from squat.figures.layers import looks
 from squat.quantities import Vector
 

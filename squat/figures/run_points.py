@@ -9,7 +9,8 @@ from h5netcdf import File
 from matplotlib.axes import Axes
 
 from squat import catalogue
-from squat.figures.labels import axis_label, named, telling
+from squat.catalogue.telling import named, telling
+from squat.figures.labels import axis_label
 from squat.figures.style import CYCLE
 
 Units = Callable[[str, str], str | None]

@@ -14,6 +14,7 @@ from squat.replay.style import GREY, PALE, rgba, ticks
 
 _WIDTH = 160.0
 _STILL = 25.0  # over lines that move (20), so that a curve shows within a trail; under points (30)
+_UNDER = 15.0
 _HANGING = 5.0  # a label hangs so far below its point in the layout
 _MARGIN = (24.0, 8.0, 14.0, 24.0)  # left, right, top, bottom
 
@@ -86,14 +87,21 @@ class Chart:
         lines: list[Vector],
         color: str,
         width: float = 2.0,
+        *,
+        under: bool = False,
     ) -> None:
-        """A line for each row of `clock`: points (n, 2) in data coordinates, n of each its own."""
+        """A line for each row of `clock`: points (n, 2) in data coordinates, n of each its own.
+
+        It lies `under` the others if asked for.
+        """
         parts = [pieces(line, *self._corners) for line in lines]
         self.cut |= not all(within(line, *self._corners).all() for line in lines)
         strips = [self.canvas(*piece.T) for part in parts for piece in part]
         path = entity(run, "profiles", self.name, name)
         radius = rr.Radius.ui_points([width / 2])
         recorder.static(path, rr.LineStrips2D.columns(colors=rgba(color), radii=radius))
+        if under:
+            recorder.static(path, rr.LineStrips2D.columns(draw_order=[_UNDER]))
         columns = rr.LineStrips2D.columns(strips=strips)
         recorder.rows(path, clock, columns.partition([len(part) for part in parts]))
 

@@ -34,15 +34,18 @@ def time_view(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
-        axis_x=time_axis(_last(runs)),
+        axis_x=time_axis(_last(runs), _finite([values for _, values in shown]).size > 1),
         axis_y=_axis(shown, plot.least_span, above, below, plot.base),
         plot_legend=rrb.PlotLegend(plot.legend),
     )
 
 
-def time_axis(last: float) -> rrb.TimeAxis:
-    """Axis of a run up to `last` [s]: linked to the others', or all of a longer run."""
-    if last <= _LINKED:
+def time_axis(last: float, drawn: bool = True) -> rrb.TimeAxis:
+    """Axis of a run up to `last` [s]: linked to the others', or all of a longer run.
+
+    A diagram where next to nothing is `drawn` would not follow the others.
+    """
+    if drawn and last <= _LINKED:
         return rrb.TimeAxis(link=rrb.components.LinkAxis.LinkToGlobal)
     ends = (rrb.TimeRangeBoundary.absolute(seconds=time) for time in (0.0, last))
     return rrb.TimeAxis(view_range=rrb.TimeRange(*ends))
@@ -100,6 +103,9 @@ def _overlaid(plot: Plot) -> Draw:
                 recorder.series(path, clock, told, label, color, curve.width)
         paths = [entity(run, "plots", plot.name) for run in runs]
         title = plot.several if len(runs) > 1 and plot.several else plot.title
+        if not _finite([values for _, values in shown]).size:
+            stepless = all(len(run.steps.time) == 1 for run in runs)
+            title += ": no step was accepted" if stepless else ": no values"
         return [time_view(plot, title, paths, shown, runs)]
 
     return draw

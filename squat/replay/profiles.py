@@ -14,6 +14,7 @@ from squat.replay.style import ORANGE, RED, SKY, run_color
 from squat.stability.keel import keel_pressure, underside
 
 _SEEN = (0.05, 0.95)  # shares of the 2D values that the axes hold: corners are singular
+_WIDE = 5.0  # pixels of the 1D line, which shows beside a 2D one that lies upon it
 _FAR = 5.0  # 1D values over this many spans of those would hide them
 
 
@@ -60,7 +61,8 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
         flat = [np.column_stack([along[[0, -1]], [value, value]]) for value in level]
         several = bool(run.label)
         color = run_color(run.number)
-        chart.curve(recorder, run, "one_dimensional", run.steps, flat, color if several else ORANGE)
+        shade = color if several else ORANGE
+        chart.curve(recorder, run, "one_dimensional", run.steps, flat, shade, _WIDE, under=True)
         chart.curve(recorder, run, "two_dimensional", run.steps, lines, color if several else SKY)
     return [chart.view(recorder, runs)]
 

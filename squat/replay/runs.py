@@ -1,15 +1,18 @@
 """The runs of a recording: datasets as read, their labels, clocks and snapshots."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from squat import records
+from squat.catalogue.flat import row_of
+from squat.catalogue.telling import named, telling
 from squat.errors import InputError
 from squat.piston import Piston
 from squat.piston.piston import Oscillator
@@ -17,6 +20,7 @@ from squat.quantities import Vector
 from squat.records.piston_kinds import PISTON
 from squat.records.transient_kinds import TRANSIENT
 from squat.replay.places import MOVING, file_of
+from squat.sweeps.folders import was_cut
 from squat.water import Water
 
 _SNAPSHOT = {
@@ -143,6 +147,8 @@ def load(files: tuple[str, ...]) -> tuple[Run, ...]:
     paths = [file_of(Path(name)) for name in files]
     named = zip(paths, labels(paths), strict=True)
     runs = tuple(_load(path, label, number) for number, (path, label) in enumerate(named))
+    if len(runs) > 1 and any(was_cut(part) for path in paths for part in path.absolute().parts):
+        runs = _by_configuration(runs)
     for run in runs[1:]:
         if run.kind != runs[0].kind:
             raise InputError(
@@ -173,6 +179,16 @@ def labels(paths: list[Path]) -> list[str]:
                 return _less_common(names) if depth > 1 else names
             return ["/".join(part[:depth][::-1]) for part in parts]
     raise InputError(f"run={','.join(map(str, paths))}: one file twice; give each run once")
+
+
+def _by_configuration(runs: tuple[Run, ...]) -> tuple[Run, ...]:
+    """The runs named by the keys that tell them apart, as they are where none do."""
+    table = pd.DataFrame([row_of(run.data.attrs) for run in runs])
+    rows = table[telling(table)].to_dict("records")
+    names = [named({str(key): value for key, value in row.items()}, " ") for row in rows]
+    if len(set(names)) < len(names):
+        return runs
+    return tuple(replace(run, label=name) for run, name in zip(runs, names, strict=True))
 
 
 def _less_common(names: list[str]) -> list[str]:

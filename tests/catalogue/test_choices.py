@@ -10,9 +10,10 @@ import squat as api
 from squat.catalogue import columns, find, select, varying
 from squat.catalogue.difference import difference
 from squat.catalogue.flat import row_of
+from squat.catalogue.telling import named, telling
 from squat.config import composed
 from squat.figures.compare import draw
-from squat.figures.labels import named, of_ships, telling
+from squat.figures.labels import of_ships
 from squat.records.provenance import choices_of, seal
 
 OWN = {

@@ -10,10 +10,11 @@ from squat.catalogue import (
     find,
     select,
 )
+from squat.catalogue.telling import telling
 from squat.config.units import unit
 from squat.errors import InputError
 from squat.figures.compare import CompareCase, draw, write_compare
-from squat.figures.labels import axis_label, telling
+from squat.figures.labels import axis_label
 from squat.figures.layers import looks
 from tests.catalogue.runs import RATIOS
 

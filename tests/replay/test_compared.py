@@ -14,6 +14,7 @@ from squat.replay.panels import draw_all
 from squat.replay.plots import Curve, near_root
 from squat.replay.recorder import Recorder
 from squat.replay.runs import labels, load
+from squat.sweeps.folders import job_folder
 from tests.replay.conftest import COARSE
 from tests.replay.reading import NANOSECOND, scalars
 
@@ -164,3 +165,16 @@ def test_labels_say_what_differs_and_no_more():
     assert named("a.l-1/run.nc", "b.l-1/run.nc") == ["a.l-1", "b.l-1"]
     assert named("v-1.nc", "v-2.nc") == ["v-1", "v-2"]
     assert named("a/x/1.nc", "a/y/2.nc", "b/x/2.nc") == ["x/1", "y/2", "x/2"]
+
+
+def test_runs_in_folders_whose_names_were_cut_are_told_apart_by_their_configurations(
+    tmp_path, written
+):
+    paths = []
+    for ratio in (8, 9):
+        made = written(f"ratio{ratio}", "piston", f"piston.mass_ratio={ratio}")
+        folder = tmp_path / job_folder(f"a.b-{'1' * 200}__piston.mass_ratio-{ratio}")
+        folder.mkdir()
+        paths.append(str(folder / "piston.nc"))
+        Path(paths[-1]).write_bytes(made.read_bytes())
+    assert [run.label for run in load(tuple(paths))] == ["mass_ratio 8", "mass_ratio 9"]

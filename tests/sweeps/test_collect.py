@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from squat.cli.tasks import collect
-from squat.config import compose, job_folder, validate
+from squat.config import compose, validate
 from squat.config.units import unit
 from squat.errors import InputError
 from squat.piston import run
@@ -21,6 +21,7 @@ from squat.records import build, read, save
 from squat.records.schema import Kind, Variable
 from squat.stability.run import run as equilibria
 from squat.sweeps import FAILED, CollectCase, write_plan
+from squat.sweeps.folders import job_folder, was_cut
 from squat.sweeps.stack import stack
 
 
@@ -278,6 +279,8 @@ def test_short_names_stay_and_cut_ones_differ():
     assert len(names) == 2
     assert max(len(name.encode()) for name in names) <= 200
     assert job_folder("a/" + "b" * 300).startswith("a/b")
+    assert all(map(was_cut, names))
+    assert not was_cut("current-1__hull-rectangle")
 
 
 def is_worker(process):

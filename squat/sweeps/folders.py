@@ -1,6 +1,7 @@
 """Names of the folders of a sweep's jobs."""
 
 import hashlib
+import re
 
 _MOST = 200
 """Bytes of a folder's name: file systems take 255, and some of them fewer."""
@@ -21,3 +22,9 @@ def _short(name: str) -> str:
         return name
     digest = hashlib.sha256(whole).hexdigest()[:_DIGITS]
     return f"{whole[: _MOST - _DIGITS - 1].decode(errors='ignore')}-{digest}"
+
+
+def was_cut(name: str) -> bool:
+    """Whether the end of folder `name` is a digest, so that it does not tell what is in it."""
+    cut = len(name.encode()) > _MOST - 4  # a letter that is cut in two is left out
+    return cut and re.search(rf"-[0-9a-f]{{{_DIGITS}}}$", name) is not None
