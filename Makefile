@@ -16,6 +16,8 @@ PYTHON ?= python3
 NEWEST ?= $(PYTHON)
 COVERED := coupling dynamics fem fluid stability analysis
 COVERING := $(COVERED) paper piston external transient
+# One more than the cores, since many tests wait for what they start.
+WORKERS ?= $(shell n=$$(getconf _NPROCESSORS_ONLN); echo $$((n < 8 ? n + 1 : 8)))
 VENV := .venv
 BIN := $(VENV)/bin
 UV_VERSION := 0.13.9
@@ -48,7 +50,7 @@ test: environment  ## formatter, linter, types, architecture and all tests
 	$(BIN)/snakefmt --check Snakefile workflows/rules
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n 2 --dist loadscope
+	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n $(WORKERS) --dist loadscope
 
 test-fuzz: environment  ## 10,000 generated bad inputs, and damaged files
 	SQUAT_FUZZ=10000 $(BIN)/pytest tests/fuzz
@@ -66,13 +68,13 @@ docs: environment  ## build the pages of docs/ in build/docs/index.html
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs build/docs
 
 test-coverage: environment  ## branch coverage of the rooms that carry the numbers, at least 95 %
-	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n 2 --dist loadscope $(COVERING:%=tests/%) $(COVERED:%=--cov=squat.%) --cov-branch \
+	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n $(WORKERS) --dist loadscope $(COVERING:%=tests/%) $(COVERED:%=--cov=squat.%) --cov-branch \
 	    --cov-report=term-missing:skip-covered --cov-fail-under=95
 
 test-newest: environment  ## all tests with the newest version of everything, in .venv-newest/; NEWEST=python3.13
 	$(BIN)/uv venv --quiet --clear --python $(NEWEST) .venv-newest
 	$(WITH_INDEX) $(BIN)/uv pip install --quiet --python .venv-newest/bin/python --upgrade --group dev -e .
-	PATH="$(CURDIR)/.venv-newest/bin:$$PATH" pytest -n 2 --dist loadscope
+	PATH="$(CURDIR)/.venv-newest/bin:$$PATH" pytest -n $(WORKERS) --dist loadscope
 
 test-mutants: environment  ## change the code in small ways: does a test notice? an hour; goes on if killed
 	$(BIN)/python -m workflows.mutants

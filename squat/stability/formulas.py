@@ -98,7 +98,7 @@ def barrass(ship: Particulars) -> Answer:
     refused = _refused(
         (S > 0, "needs width= of the channel"),
         (S == 0 or 0.1 <= S <= 0.266, f"S = {S:.3g} is outside 0.1 to 0.266"),
-        _within("C_B", ship.block, 0.5, 0.9),
+        _within("C_B of the section", ship.block, 0.5, 0.9),
         _within("H/T", ship.depth / ship.draft, 1.1, 1.5),
     )
     return _unless(
@@ -132,7 +132,7 @@ def huuska(ship: Particulars) -> Answer:
         return Answer(math.nan, math.nan, _BEAM)
     S = ship.blockage
     refused = _refused(
-        _within("C_B", ship.block, 0.6, 0.8),
+        _within("C_B of the section", ship.block, 0.6, 0.8),
         _within("B/T", ship.beam / ship.draft, 2.19, 3.5),
         _within("L/B", ship.length / ship.beam, 5.5, 8.5),
         _within("H/T", ship.depth / ship.draft, 1.1, 2.0),
@@ -148,7 +148,7 @@ def eryuzlu(ship: Particulars) -> Answer:
         return Answer(math.nan, math.nan, _BEAM)
     wide = math.inf if ship.width is None else ship.width / ship.beam
     refused = _refused(
-        _within("C_B", ship.block, 0.8, 1.0),
+        _within("C_B of the section", ship.block, 0.8, 1.0),
         _within("B/T", ship.beam / T, 2.4, 2.9),
         _within("L/B", ship.length / ship.beam, 6.7, 6.8),
         _within("H/T", H / T, 1.1, 2.5),

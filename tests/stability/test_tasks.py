@@ -205,7 +205,7 @@ def test_formulas_follow_their_scaling():
         ("Tuck/ICORELS", {"beam": None}, "needs beam= of the ship"),
         ("Tuck/ICORELS", {"width": 200.0}, "for open water; leave width= out"),
         ("Tuck/ICORELS", {"speed": 10.0}, "Fr_h = 0.824 is outside 0 to 0.7"),
-        ("Huuska/Guliev", {"block": 0.9}, "C_B = 0.9 is outside 0.6 to 0.8"),
+        ("Huuska/Guliev", {"block": 0.9}, "C_B of the section = 0.9 is outside 0.6 to 0.8"),
         ("Eryuzlu", {"depth": 40.0}, "H/T = 3.33 is outside 1.1 to 2.5"),
     ],
 )
@@ -299,7 +299,7 @@ def test_numbers_are_given_with_the_digits_that_they_deserve():
 def test_a_box_has_block_coefficient_one(case):
     data = limits.run(case("limits", *QUICK, "beam=8.0"))
     notes = dict(zip(data["formula"].values, data["formula_note"].values, strict=True))
-    assert "C_B = 1 is outside" in notes["Huuska/Guliev"]
+    assert "C_B of the section = 1 is outside" in notes["Huuska/Guliev"]
 
 
 def test_a_cell_of_the_map_is_the_answer_about_that_ship(case):
