@@ -166,8 +166,8 @@ class Curve(_Given):
     Parameters
     ----------
     segments
-        Chords of all bends below the water together, shared out so that each strays equally far
-        from the curve; one from each point to the next at least, no more where it is straight.
+        Chords of all bends together, shared out so that each strays equally far from the curve;
+        one from each point to the next at least, and where it is straight no more.
     """
 
     shape: Literal["curve"] = "curve"
@@ -183,8 +183,7 @@ class Curve(_Given):
         s = np.concatenate([[0], np.cumsum(chords)])
         smooth = scipy.interpolate.PchipInterpolator(s, around)
         spans = list(itertools.pairwise(s[1:-1]))
-        looked = (smooth(np.linspace(*span, _LOOKS)) for span in spans)
-        bends = np.array([_bend(look) if look[:, 1].min() < 0 else 0.0 for look in looked])
+        bends = np.array([_bend(smooth(np.linspace(*span, _LOOKS))) for span in spans])
         parts = [
             np.linspace(*span, int(n), endpoint=False)
             for span, n in zip(spans, self._shares(bends), strict=True)
