@@ -62,11 +62,11 @@ def _(sources: Sources) -> Finding:
     larger = all(balances.own_gap(run) > balances.whole_gap(run) for run in runs)
     step = ", here the larger one at every speed," if larger else ""
     note = (
-        f"the gap of ship, water and the channel's ends. Over E_0, as Fig. 13 has it: {over}; it "
-        "grows with the speed, if less than the kinetic energy. The sum of Fig. 13 is the ship's "
-        f"own balance, which any force satisfies. What that leaves{step} goes with the time step; "
-        "what the water makes up does not. force=variational with coupling=energy_momentum closes "
-        "both"
+        f"the gap of ship, water and the channel's ends. Over E_0, as Fig. 13 has it: {over}; its "
+        "share of the kinetic energy falls where that grows faster. The sum of Fig. 13 is the "
+        "ship's own balance, which any force satisfies. What that leaves"
+        f"{step} goes with the time step; what the water makes up does not. force=variational "
+        "with coupling=energy_momentum closes both"
     )
     said = f"open by {text}, of the largest kinetic energy of ship and water in heave"
     return Finding(said, note, holds(bool(np.isfinite(shares).all() and max(shares) < 0.01)))

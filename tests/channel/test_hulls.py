@@ -221,7 +221,7 @@ def test_chords_of_a_ship_with_a_long_keel_close_in_on_its_curve_with_their_squa
     curve = Curve(points=points, wall=2.0, segments=400).curve()
     strays = {n: max(ring.distance(Point(p)) for p in curve) for n, ring in drawn.items()}
     assert strays[60] / strays[120] == pytest.approx(4, rel=0.1)
-    # Shared out by length, a bow of 14 m would have three of 60 chords, and stray by half a metre.
+    # Shared out by length, a bow of 14 m would have three of 60 chords, which stray by 0.8 m.
     assert strays[60] < 0.05
 
 

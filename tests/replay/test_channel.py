@@ -116,5 +116,6 @@ def test_a_long_shallow_channel_is_drawn_higher_than_it_is_and_the_view_says_so(
 
 def test_a_run_longer_than_linked_axes_show_is_shown_whole():
     assert time_axis(20.0).view_range is None
+    assert time_axis(20.0, drawn=False).view_range is not None
     (whole,) = time_axis(129.0).view_range.as_arrow_array().to_pylist()
     assert [whole[end] for end in ("start", "end")] == [0, 129 * 10**9]

@@ -9,9 +9,9 @@ import rerun as rr
 import xarray as xr
 
 from squat import records
-from squat.replay.overlay import _axis, difference
+from squat.replay.overlay import _axis, _overlaid, difference
 from squat.replay.panels import draw_all
-from squat.replay.plots import Curve, near_root
+from squat.replay.plots import PLOTS, Curve, near_root
 from squat.replay.recorder import Recorder
 from squat.replay.runs import labels, load
 from squat.sweeps.folders import job_folder
@@ -178,3 +178,12 @@ def test_runs_in_folders_whose_names_were_cut_are_told_apart_by_their_configurat
         paths.append(str(folder / "piston.nc"))
         Path(paths[-1]).write_bytes(made.read_bytes())
     assert [run.label for run in load(tuple(paths))] == ["mass_ratio 8", "mass_ratio 9"]
+
+
+def test_a_diagram_of_a_run_without_a_step_says_so(bare):
+    (run,) = load((str(bare),))
+    (plot,) = (plot for plot in PLOTS if plot.name == "iterations")
+    for whole, title in ((run.data, ""), (run.data.isel(time=[0]), ": no step was accepted")):
+        recorder = Recorder(rr.RecordingStream("test"))
+        (view,) = _overlaid(plot)(recorder, (replace(run, data=whole),))
+        assert str(view.name) == plot.title + title
