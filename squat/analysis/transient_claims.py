@@ -114,7 +114,7 @@ def _(sources: Sources) -> Finding:
     text = ", ".join(
         f"{100 * share:.2g} % at {_speed(run)}" for share, run in zip(shares, runs, strict=True)
     )
-    over = ", ".join(f"{100 * balances.own_gap(run) / balances.kinetic(run):.2g} %" for run in runs)
+    over = ", ".join(f"{100 * balances.own_gap(run) / balances.kinetic(run):.3g} %" for run in runs)
     note = (
         "first order in dt, because w' stands a step behind w; any force history satisfies this "
         "balance: it does not show that the water keeps its energy. Over the largest kinetic "
