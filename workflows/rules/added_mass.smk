@@ -56,6 +56,12 @@ rule sensitivity:
     benchmark:
         f"{RESULTS}/benchmarks/sensitivity.tsv"
     params:
-        config=configured("sensitivity"),
+        cases=f"cases/sensitivity@_global_={CASES}",
+        accuracy=ACCURACY,
+        config=configured(
+            "sensitivity",
+            f"cases/sensitivity@_global_={CASES}",
+            f"accuracy={ACCURACY}",
+        ),
     shell:
-        "squat task=sensitivity 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=sensitivity {params.cases} accuracy={params.accuracy} 'out=\"{output}\"' > {log:q} 2>&1"
