@@ -114,9 +114,9 @@ def _(sources: Sources) -> Finding:
 @claim("constant_iterations")
 def _(sources: Sources) -> Finding:
     means = sources.iterations["mean_iterations"].sel(added_mass_ratio=1).values
-    return Finding(
-        float(means.max()), f"least mean {means.min():.4g}, greatest shown", rounds_down=True
-    )
+    least, greatest = means.min(), means.max()
+    note = f"the greatest of {means.size} mass ratios; the least: {least:.6g}"
+    return Finding(float(greatest), note, rounds_down=True)
 
 
 @claim("optimum")

@@ -11,7 +11,15 @@ from pydantic.dataclasses import dataclass
 from squat import published, records
 from squat.analysis import equilibria_tables, inertia_tables, piston_tables
 from squat.analysis.lookup import Here, Reader
-from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH, Verdict, difference, judge
+from squat.analysis.verdict import (
+    DIFFERS,
+    FEW_DIGITS,
+    INCONSISTENT,
+    MATCH,
+    Verdict,
+    difference,
+    judge,
+)
 from squat.errors import InputError
 from squat.quantities import STRICT
 from squat.records.added_mass_kinds import ADDED_MASS, INERTIA
@@ -96,7 +104,7 @@ def _coarse(text: str, here: Here, apart: float) -> str:
     """That a match says little, where the print has so few digits."""
     if here.rounds_down or not math.isfinite(apart) or abs(apart) <= _TELLING * abs(here.value):
         return ""
-    return f"a match by the few digits printed, {abs(apart / here.value):.0%} apart"
+    return f"{FEW_DIGITS}, {abs(apart / here.value):.0%} apart"
 
 
 def write_table(case: TableCase, path: Path) -> None:

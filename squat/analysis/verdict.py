@@ -8,6 +8,8 @@ Verdict = Literal["match", "differs", "paper inconsistent"]
 MATCH: Verdict = "match"
 DIFFERS: Verdict = "differs"
 INCONSISTENT: Verdict = "paper inconsistent"
+FEW_DIGITS = "a match by the few digits printed"
+"""In the note of a match that says little."""
 
 
 def judge(printed: str, here: float, *, rounds_down: bool = False) -> Verdict:

@@ -27,8 +27,9 @@ from squat.records.trim_kinds import TRIM
 
 COLUMNS = ["claim", "where", "paper", "here", "unit", "verdict", "note"]
 _TABLE_COLUMNS = ("paper", "here", "difference", "verdict", "note")
+_UNITS = {"table7": "m"}
+"""Of tables of one quantity; those not named have no dimension."""
 _KEYS = {key for name in TABLES for cell in published.table(name) for key in cell.keys}
-_UNITS = {"table1": "SI", "table6": "SI", "table7": "m"}
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -72,16 +73,17 @@ def table_rows(path: Path) -> list[dict[str, Any]]:
     try:
         frame = pd.read_csv(path, dtype=str, keep_default_na=False)
         keys = [column for column in frame.columns if column in _KEYS]
-        frame[list(_TABLE_COLUMNS)]
-    except (OSError, ValueError, KeyError) as error:
+        first = frame[[keys[0], *_TABLE_COLUMNS]].columns[0]
+    except (OSError, ValueError, KeyError, IndexError) as error:
         raise InputError(f"{path}: not a table of squat task=table; write it again") from error
+    units = published.units(path.stem)
     where = path.stem.replace("table", "Table ").replace("_critical", ", last column")
     return [
         {
             "claim": where + ": " + ", ".join(f"{key} = {row[key]}" for key in keys),
             "where": where,
             **{name: row[name] for name in ("paper", "here", "verdict", "note")},
-            "unit": _UNITS.get(path.stem, "1"),
+            "unit": units.get(row[first], _UNITS.get(path.stem, "1")),
         }
         for row in frame.to_dict("records")
     ]

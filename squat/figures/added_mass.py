@@ -1,5 +1,7 @@
 """Figures 7 and 9, and the two sensitivity studies of section 3.5."""
 
+import math
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -14,6 +16,8 @@ from squat.figures.style import BLUE, GREEN, PALETTE, RED, depth_axis, single, s
 _LONGEST = 4.5
 """Width over height of a panel of Fig. 7 that is drawn with equal scales, about."""
 _PANEL = 7.6  # width of a panel of Fig. 7, in
+_STEPS = [1, 2.5, 4, 5, 10]
+"""Between isovalues: of multiples of 2 or 3 some read as others upside down."""
 _TITLES = {"surge": "surge", "heave": "heave", "pitch": "pitch (bow down)"}
 
 
@@ -42,7 +46,7 @@ def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str)
     times = _times(window[1] - window[0], float(np.ptp(z)))
     power = 1000 if np.abs(pressure).max() >= 1e6 else 1
     values = pressure / (1000 * power)
-    levels = np.asarray(MaxNLocator(9).tick_values(0, np.abs(values).max()))[1:]
+    levels = np.asarray(MaxNLocator(9, steps=_STEPS).tick_values(0, np.abs(values).max()))[1:]
     edges = grid.edges[np.flatnonzero(_outer(grid))]
     axes.plot(x[edges].T, z[edges].T, color=BLUE, lw=1.2)
     axes.set_xlim(window)
@@ -129,20 +133,37 @@ def sensitivity(data: xr.Dataset) -> Figure:
         label=f"extrapolated, against {distance[-1]:g} m",
     )
     right.set(xlabel="In and Out from bow and stern [m]", ylabel="relative error of $i$ [-]")
-    near, far = data.attrs["recommended_size"], data.attrs["recommended_distance"]
-    _advise(left, size, near, data.attrs["tolerance"])
-    _advise(right, distance[:-1], far, data.attrs["tolerance"])
-    figure.supxlabel(
-        f"Recommended for {100 * data.attrs['tolerance']:g} %: {near:g} m at the hull with the "
-        f"growth kept, In and Out {far:g} m away",
-        fontsize=10,
-    )
+    _advise(left, size, data.attrs["recommended_size"], data.attrs["tolerance"])
+    _advise(right, distance[:-1], data.attrs["recommended_distance"], data.attrs["tolerance"])
+    figure.supxlabel(_recommendation(data), fontsize=10)
     return figure
+
+
+def _recommendation(data: xr.Dataset) -> str:
+    """What keeps the tolerance, either alone, and what both are off together."""
+    near, far = data.attrs["recommended_size"], data.attrs["recommended_distance"]
+    size = (
+        f"{near:g} m at the hull with the growth kept" if math.isfinite(near) else "no size tried"
+    )
+    distance = f"In and Out {far:g} m away" if math.isfinite(far) else "no distance tried"
+    alone = f"{100 * data.attrs['tolerance']:g} % each, alone: {size}, {distance}"
+    return (
+        f"{alone}; together {100 * _together(data):.1f} %" if math.isfinite(near + far) else alone
+    )
+
+
+def _together(data: xr.Dataset) -> float:
+    """Relative error of both recommendations at once: either makes i too small."""
+    size = data["size_inertia_coefficient"].sel(growth="fixed", size=data.attrs["recommended_size"])
+    distant = data["distance_inertia_coefficient"]
+    far = distant.sel(distance=data.attrs["recommended_distance"]) / distant[-1]
+    return float(2 - size / data["size_limit"] - far)
 
 
 def _advise(axes: Axes, ticks: np.ndarray, value: float, tolerance: float) -> None:
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.axhline(tolerance, color="k", lw=1, ls="--", label=f"{100 * tolerance:g} % accepted")
-    axes.axvline(value, color="0.5", lw=1, label=f"recommended: {value:g} m")
+    if math.isfinite(value):
+        axes.axvline(value, color="0.5", lw=1, label=f"recommended: {value:g} m")
     axes.legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)

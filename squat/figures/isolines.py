@@ -17,12 +17,20 @@ _HALF_HEIGHT = 0.5  # of a number with the white around it, over its size
 _STEEPEST = -70.0  # degrees; lines that fall more steeply are read upwards, all from one side
 
 
-def number(value: float) -> str:
-    """`value` in few digits, none of which reads as another number upside down: 6.0, not 6 or 9."""
-    text = f"{value:g}".replace("-", "\N{MINUS SIGN}")
-    digits = set(text) - {"\N{MINUS SIGN}"}
-    turned = digits <= set("0689") and digits & set("69") and not text.endswith("0")
-    return f"{text}.0" if turned else text
+def numbers(values: Sequence[float]) -> list[str]:
+    """`values` with as many decimals each, one at least where one reads as another upside down.
+
+    So 6.0 and 7.0 stand for 6 and 7, and 4 and 8 for themselves.
+    """
+    plain = [f"{value:g}" for value in values]
+    decimals = max((len(text.partition(".")[2]) for text in plain), default=0)
+    decimals = max(decimals, int(any(map(_turned, plain))))
+    return [f"{value:.{decimals}f}".replace("-", "\N{MINUS SIGN}") for value in values]
+
+
+def _turned(text: str) -> bool:
+    digits = set(text) - {"-"}
+    return digits <= set("0689") and bool(digits & set("69")) and not text.endswith("0")
 
 
 def label(axes: Axes, lines: Sequence[tuple[float, Vector]], rim: Vector, scale: Vector) -> None:
@@ -34,8 +42,7 @@ def label(axes: Axes, lines: Sequence[tuple[float, Vector]], rim: Vector, scale:
     window = np.array(axes.get_xlim()) * scale[0]
     edges = [_dense(edge * scale) for edge in rim]
     taken = [edge for edge in edges if window[0] < edge[-1, 0] < window[1]]
-    for n, (value, _) in enumerate(lines):
-        text = number(value)
+    for n, text in enumerate(numbers([value for value, _ in lines])):
         half = _LETTER * _SIZE * (len(text) + 1) / 2
         obstacles = np.vstack([*taken, *drawn[:n], *drawn[n + 1 :]])
         x = drawn[n][:, 0]

@@ -26,9 +26,11 @@ def time_view(
     """A diagram over time of all entities below `paths`, which hold the curves `shown`.
 
     Longer runs than linked axes show are there from 0 to the end, each diagram by itself.
-    Several runs have their legend, whose names may be long, above or below the curves.
+    Several runs have their legend, whose names may be long, above or below the curves; a single
+    run has it where curves go to its corner: a ship's first trough, and counts that stay level.
     """
-    room = min(_NAME * len({name for name, _ in shown}), _LEGEND) if len(runs) > 1 else 0.0
+    free = len(runs) == 1 and plot.legend is rrb.Corner2D.RightTop and plot.base is None
+    room = 0.0 if free else min(_NAME * len({name for name, _ in shown}), _LEGEND)
     above, below = (room, 0.0) if plot.legend is rrb.Corner2D.RightTop else (0.0, room)
     return rrb.TimeSeriesView(
         origin="/",
@@ -75,8 +77,10 @@ def _axis(
     edge = _EDGE * (high - low) if apart else 0.0
     moving = _finite([values for _, values in shown if values.size > 2])
     deep = (high - float(moving.min())) / (1 - below) if below and moving.size else 0.0
-    lowest = min(low - edge, high - deep)
+    lowest = min(low - edge if base is None else low, high - deep)
     wide = ticked(lowest, high + edge + (high - low) * above / (1 - above))
+    if base is not None:
+        wide = min(wide[0], base - _EDGE * (wide[1] - base)), wide[1]
     return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import pandas as pd
 
 from squat import published
-from squat.analysis.verdict import MATCH
+from squat.analysis.verdict import FEW_DIGITS, MATCH
 from squat.errors import InputError
 
 _SHOWN = 5  # significant digits of ours; the CSV has them all
@@ -48,7 +48,7 @@ class Grid(NamedTuple):
     heads: list[str]
     rows: list[tuple[str, list[Cell | None]]]
     notes: list[tuple[str, str]]
-    """Cells that do not match, by name, each with its note."""
+    """Cells that do not match, or by few digits alone, by name, each with its note."""
 
 
 def read(path: Path) -> pd.DataFrame:
@@ -88,7 +88,7 @@ def grid(name: str, frame: pd.DataFrame) -> Grid:
         notes=[
             (symbol(", ".join(filter(None, place))), cell.note)
             for place, cell in cells.items()
-            if cell.note and cell.verdict != MATCH
+            if cell.note and (cell.verdict != MATCH or FEW_DIGITS in cell.note)
         ],
     )
 

@@ -102,13 +102,14 @@ def told(dataset: xr.Dataset, case: TransientCase) -> str:
 
 
 def _length(dataset: xr.Dataset) -> str:
-    """How long the run was, where it can be told in small oscillations about its equilibrium too.
+    """How long the run was, where it can be told in periods about its equilibrium too.
 
     The periods of `time.periods` are those of Eqs. (5) and (23), not of this oscillation.
     """
     seconds, period = float(dataset["time"][-1]), small_period(dataset)
-    oscillations = f", {seconds / period:.2g} small oscillations" if math.isfinite(period) else ""
-    return f"{seconds:.4g} s{oscillations}"
+    if not math.isfinite(period):
+        return f"{seconds:.4g} s"
+    return f"{seconds:.4g} s; small heave about its equilibrium has a period of {period:.4g} s"
 
 
 def small_period(dataset: xr.Dataset) -> float:

@@ -282,6 +282,13 @@ def test_rows_of_a_table_are_named_by_their_keys(tmp_path):
     assert row["unit"] == "m"
 
 
+def test_quantities_of_a_table_have_their_own_units(tmp_path):
+    cells = [{"quantity": name, "paper": "1", "here": "1"} for name in ("H", "H_over_T")]
+    rest = {"difference": "0", "verdict": "match", "note": ""}
+    pd.DataFrame([cell | rest for cell in cells]).to_csv(tmp_path / "table6.csv", index=False)
+    assert [row["unit"] for row in table_rows(tmp_path / "table6.csv")] == ["m", "1"]
+
+
 def test_a_table_is_made_of_its_own_kind_of_dataset_only(case, tmp_path):
     path = tmp_path / "equilibria.nc"
     records.save(

@@ -8,7 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat.figures.added_mass import fig7
 from squat.figures.domain import fig3, fig8
-from squat.figures.isolines import number
+from squat.figures.isolines import numbers
 from squat.figures.mesh import fig6
 from squat.fluid.run import run as added_mass
 from squat.mesh.run import run as mesh
@@ -71,10 +71,18 @@ def test_numbers_of_isolines_are_whole_and_read_from_one_side(case, more):
 
 
 @pytest.mark.parametrize(
-    ("value", "text"), [(6, "6.0"), (9, "9.0"), (68, "68.0"), (600, "600"), (60, "60"), (12, "12")]
+    ("values", "texts"),
+    [
+        ((6, 7, -8), ["6.0", "7.0", "\N{MINUS SIGN}8.0"]),
+        ((9,), ["9.0"]),
+        ((68,), ["68.0"]),
+        ((600, 60, 12), ["600", "60", "12"]),
+        ((0.8, 1.6, 4), ["0.8", "1.6", "4.0"]),
+        ((), []),
+    ],
 )
-def test_numbers_that_read_as_others_upside_down_are_told_apart(value, text):
-    assert number(value) == text
+def test_numbers_are_told_apart_upside_down_and_have_as_many_decimals(values, texts):
+    assert numbers(values) == texts
 
 
 @pytest.mark.parametrize("more", [("hull=curve",), BARGE])

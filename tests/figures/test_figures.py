@@ -12,12 +12,14 @@ from squat.cli.main import main
 from squat.cli.tasks import TASKS
 from squat.config import compose, validate
 from squat.errors import InputError
+from squat.figures.added_mass import sensitivity
 from squat.figures.equilibria import fig10
 from squat.figures.limits import _deepest, basins, limits
 from squat.figures.stability import phase_portrait, potential
 from squat.figures.trim import filled
 from squat.figures.uneven import uneven_bottom
 from squat.figures.write import FIGURES, FigureCase, catalogue
+from squat.fluid.sensitivity import run as sensitivity_study
 from squat.records.bottom_kinds import UNEVEN_BOTTOM
 from squat.stability.portrait import run as stability
 from squat.stability.run import run as equilibria
@@ -181,3 +183,25 @@ def test_the_deepest_point_ends_on_the_unstable_equilibrium_at_the_dynamic_limit
     x, w = _deepest(data)
     assert (x[-1], w[-1]) == pytest.approx((1.25, -3.0))
     assert np.isnan(_deepest(data.assign(dynamic_squat_speed=np.nan))[1][-1])
+
+
+@pytest.fixture(scope="module")
+def study(case):
+    keys = "sizes=[1.6,0.4]", "distances=[20,40,160]", "accuracy.near=0.32", "tolerance=0.01"
+    return sensitivity_study(case("sensitivity", *keys))
+
+
+def test_two_recommendations_say_what_they_are_off_together(study):
+    mesh = study["size_inertia_coefficient"].values[0, 1] / float(study["size_limit"])
+    near, far = study["distance_inertia_coefficient"].values[1:]
+    error = (1 - mesh) + (1 - near / far)
+    said = sensitivity(study)._supxlabel.get_text()
+    assert f"together {100 * error:.1f} %" in said
+    assert "0.4 m at the hull" in said
+
+
+def test_a_study_in_which_nothing_is_good_enough_says_so(study):
+    said = sensitivity(study.assign_attrs(recommended_size=np.nan))._supxlabel.get_text()
+    assert "no size tried" in said
+    assert "nan" not in said
+    assert "together" not in said

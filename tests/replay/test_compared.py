@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import rerun as rr
 import xarray as xr
 
 from squat import records
-from squat.replay.overlay import _axis, _overlaid, difference
+from squat.replay.overlay import _axis, _overlaid, difference, time_view
 from squat.replay.panels import draw_all
 from squat.replay.plots import PLOTS, Curve, near_root
 from squat.replay.recorder import Recorder
@@ -187,3 +188,14 @@ def test_a_diagram_of_a_run_without_a_step_says_so(bare):
         recorder = Recorder(rr.RecordingStream("test"))
         (view,) = _overlaid(plot)(recorder, (replace(run, data=whole),))
         assert str(view.name) == plot.title + title
+
+
+@pytest.mark.parametrize(
+    ("name", "roomy"), [("heave", True), ("iterations", True), ("pitch", False)]
+)
+def test_a_single_runs_legend_has_room_where_curves_go_to_its_corner(name, roomy):
+    (plot,) = (one for one in PLOTS if one.name == name)
+    shown = [("curve", np.array([1.0, 9.0, 1.0]))]
+    run = SimpleNamespace(span=SimpleNamespace(time=np.array([0.0, 1.0])))
+    view = time_view(plot, plot.title, [], shown, (run,))
+    assert ("ScalarAxis" in view.properties) == roomy

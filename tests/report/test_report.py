@@ -9,12 +9,13 @@ from matplotlib.figure import Figure
 
 import squat as api
 from squat import published, records
-from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH
+from squat.analysis.verdict import DIFFERS, FEW_DIGITS, INCONSISTENT, MATCH
 from squat.errors import InputError
 from squat.figures.files import save
 from squat.records.stability_kinds import CONVERGENCE
 from squat.report import write_report
 from squat.report.provenance import digest
+from squat.report.tables import grid
 from tests.report.page import DOI, Page
 
 HOW = {"refinement": 2.0, "safety": 1.25}
@@ -129,3 +130,11 @@ def test_the_page_names_units_one_note_and_the_papers_address(results, report):
     assert [link for link in page.links if link.startswith("http")] == [DOI]
     assert "V_inf_min [m/s]" in page.text
     assert "Note on 1 cell</summary>" in page.text
+
+
+def test_a_match_by_few_digits_has_its_note_at_the_table():
+    cell = {"depth_over_draft": "2.5", "source": "wendel_1956", "paper": "1", "here": "0.906"}
+    rows = [{**cell, "verdict": MATCH, "note": note} for note in ("estimates", FEW_DIGITS)]
+    quiet, telling = (grid("table4", pd.DataFrame([row])).notes for row in rows)
+    assert not quiet
+    assert [note for _, note in telling] == [FEW_DIGITS]
