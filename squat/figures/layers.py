@@ -47,11 +47,13 @@ def _distinct(
 
     Colours are those that were used least, by lines of the same group before all.
     """
-    free = [(color, dashes) for dashes in _DASHES for color in PALETTE]
+    every = [(color, dashes) for dashes in _DASHES for color in PALETTE]
+    free: list[tuple[str, Any]] = []
     place = {n: number for number, group in enumerate(groups) for n in group}
     used: Counter[Any] = Counter()
     told = {}
     for n, look in given.items():
+        free = free or every.copy()
         fitting = [pair for pair in free if pair[1] == look.get("ls", pair[1])] or free
         color, dashes = min(fitting, key=lambda pair: (used[place[n], pair[0]], used[pair[0]]))
         free.remove((color, dashes))

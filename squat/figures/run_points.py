@@ -4,6 +4,7 @@ from collections.abc import Callable
 from numbers import Real
 from typing import Any
 
+import numpy as np
 import pandas as pd
 from h5netcdf import File
 from matplotlib.axes import Axes
@@ -11,8 +12,9 @@ from matplotlib.axes import Axes
 from squat import catalogue
 from squat.catalogue.telling import named, telling
 from squat.figures.labels import axis_label
-from squat.figures.style import CYCLE
+from squat.figures.layers import looks
 
+_DOT, _MORE = 1.2, 2.0  # size of a dot, pt, and what it grows by with the width of its line
 Units = Callable[[str, str], str | None]
 """Units of a configured key, by the kind of the run and the key."""
 _DONE = ("completed", "converged", "turned")
@@ -31,20 +33,29 @@ def draw_points(axes: Axes, table: pd.DataFrame, variable: str, over: str, units
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_xlabel(_column(over, table, units))
     axes.set_ylabel(_column(variable, table, units))
-    axes.set_prop_cycle(CYCLE)
-    between: Any = {} if table[over].map(_is_number).all() else {"ls": ""}
-    for values, group in groups:
-        label = named(dict(zip(keys, values, strict=True)))
+    numbers = bool(table[over].map(_is_number).all())
+    lines = [(named(dict(zip(keys, values, strict=True))), group) for values, group in groups]
+    points = np.stack([_places(table[name]) for name in (over, variable)])
+    rows = [table.index.get_indexer(group.sort_values(over).index) for _, group in lines]
+    seen = looks([points[:, row] for row in rows])
+    for (label, group), look in zip(lines, seen, strict=True):
         done = group["status"].isna() | group["status"].isin(_DONE)
         ordered = group[done].sort_values(over)
         shown = label if done.any() else None
-        (line,) = axes.plot(
-            ordered[over], ordered[variable], marker="o", ms=4, label=shown, **between
-        )
+        dots: Any = {"marker": "o", "ms": _DOT + _MORE * look["lw"]}
+        line = dots | look | ({} if numbers else {"ls": ""})
+        axes.plot(ordered[over], ordered[variable], label=shown, **line)
         for status, failed in group[~done].groupby("status"):
             name = ": ".join(filter(None, [label, str(status)]))
-            look: Any = {"ls": "", "marker": "o", "mfc": "none", "color": line.get_color()}
-            axes.plot(failed[over], failed[variable], ms=4, label=name, **look)
+            ring = dots | {"ls": "", "mfc": "none", "color": look["color"]}
+            axes.plot(failed[over], failed[variable], label=name, **ring)
+
+
+def _places(column: "pd.Series[Any]") -> "pd.Series[float]":
+    """Numbers themselves, of names their places among all of the column."""
+    if column.map(_is_number).all():
+        return column.astype(float)
+    return column.astype(str).rank(method="dense")
 
 
 def _is_number(value: object) -> bool:

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -18,8 +17,6 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 PALETTE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000")
 _LONGEST = 8.0
 """Width over height of a channel that is drawn with equal scales, about."""
-CYCLE = cycler(linestyle=["-", "--", ":"]) * cycler(color=PALETTE)
-"""Lines that differ in colour first, then in dashes."""
 SETTINGS: Any = {
     "font.size": 10,
     "axes.grid": True,

@@ -123,7 +123,11 @@ def read_group(path: Path, name: str) -> xr.Dataset:
     """Snapshots in the group `name` of `path`; raises InputError as `read` does."""
     dataset = read(path)
     if name not in _seals(dataset):
-        raise InputError(f"{path}: holds no group {name!r}; run with snapshots=1")
+        joined = "joined" in dataset.attrs
+        remedy = (
+            "a sweep's jobs keep theirs; open their files" if joined else "run with snapshots=1"
+        )
+        raise InputError(f"{path}: holds no group {name!r}; {remedy}")
     return _group(path, name, dataset)
 
 

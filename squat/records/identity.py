@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from squat.records.provenance import config_of, inputs, versions
 
 HOUSEKEEPING = ("out", "log_level", "redo")
 """Keys that change no number of a run."""
+_NAMED = 4  # differences that a line has room for
 
 
 def identity(config: Mapping[str, Any]) -> dict[str, Any]:
@@ -51,14 +52,20 @@ def _code() -> str:
     return total.hexdigest()
 
 
-def difference(here: Any, there: Any, path: str = "") -> str:
-    """First place where two nested values differ, as `key=there in place of here`."""
+def difference(here: Any, there: Any) -> str:
+    """Where two nested values differ, as `key=there in place of here`; a few places by name."""
+    found = list(_differing(here, there))
+    more = f" and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
+    return ", ".join(found[:_NAMED]) + more
+
+
+def _differing(here: Any, there: Any, path: str = "") -> Iterator[str]:
     if isinstance(here, Mapping) and isinstance(there, Mapping):
         for key in [*here, *(key for key in there if key not in here)]:
-            if here.get(key) != there.get(key):
-                inner = f"{path}.{key}" if path else str(key)
-                return difference(here.get(key), there.get(key), inner)
-    return f"{path.removeprefix('config.')}={_short(there)} in place of {_short(here)}"
+            inner = f"{path}.{key}" if path else str(key)
+            yield from _differing(here.get(key), there.get(key), inner)
+    elif here != there:
+        yield f"{path.removeprefix('config.')}={_short(there)} in place of {_short(here)}"
 
 
 def _short(value: Any) -> str:

@@ -29,10 +29,6 @@ class Segment(NamedTuple):
     content: Any
 
 
-class _ForeignError(Exception):
-    """A segment of another run."""
-
-
 @dataclass(frozen=True)
 class Segments:
     """The segments of one run in a folder of their own.
@@ -42,7 +38,8 @@ class Segments:
     folder
         `<out>.parts`, beside the dataset to come.
     make
-        `strict_identity` of the run: a segment of any other is not read.
+        `strict_identity` of the run: segments of any other are set aside, and are found again there
+        by the run that they belong to.
     """
 
     folder: Path
@@ -67,18 +64,12 @@ class Segments:
             np.savez(file, header=header, digest=_digest(header, leaves), **arrays)
 
     def read(self) -> Iterator[Segment]:
-        """Segments of this run from its start, up to the first that is absent or broken.
-
-        Those of another run are removed, with a warning that says what differs.
-        """
+        """Segments of this run from its start, up to the first that is absent or broken."""
+        self._settle()
         step = 0
         while (path := self._path(step)).is_file():
             try:
                 segment = self._load(path)
-            except _ForeignError as error:
-                _log.warning("%s: left by another run (%s); starting again", self.folder, error)
-                self.clear()
-                return
             except Exception as error:  # whatever a damaged file makes its reader say
                 _log.warning("%s: broken (%s); going on without it", path, error)
                 return
@@ -88,6 +79,33 @@ class Segments:
     def clear(self) -> None:
         """Remove the folder: the run is over, or to be done again."""
         shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _settle(self) -> None:
+        """Set segments of another run aside, with a warning, and bring back those of this one."""
+        make, found = _plain(self.make), self._found()
+        if found is not None and found != make:
+            aside = self._aside(found)
+            shutil.rmtree(aside, ignore_errors=True)
+            self.folder.rename(aside)
+            told = "%s: left by another run (%s); kept as %s for that one, starting again"
+            _log.warning(told, self.folder, difference(make, found), aside.name)
+        own = self._aside(make)
+        if own.is_dir() and not self._path(0).is_file():
+            self.clear()
+            own.rename(self.folder)
+
+    def _found(self) -> Any:
+        """`make` of the run whose first segment is in the folder; None where nobody can tell."""
+        try:
+            with self._path(0).open("rb") as handle, np.load(handle, allow_pickle=False) as file:
+                return json.loads(str(file["header"]))["make"]
+        except Exception:  # absent, or whatever a damaged file makes its reader say
+            return None
+
+    def _aside(self, make: Any) -> Path:
+        """Where segments of the run of that `make` are kept while another is at work."""
+        digest = hashlib.sha256(json.dumps(make).encode()).hexdigest()[:8]
+        return self.folder.with_name(f"{self.folder.name}.{digest}")
 
     def _path(self, begin: int) -> Path:
         return self.folder / f"{begin:09d}.npz"
@@ -99,10 +117,14 @@ class Segments:
             if str(file["digest"]) != _digest(text, leaves):
                 raise ValueError("its digest is wrong")
         header = json.loads(text)
-        made = json.loads(json.dumps(self.make))
-        if header["make"] != made:
-            raise _ForeignError(difference(made, header["make"]))
+        if header["make"] != _plain(self.make):
+            raise ValueError("of another run")
         return Segment(header["end"], rebuild(header["structure"], leaves))
+
+
+def _plain(make: Any) -> Any:
+    """As JSON gives it back."""
+    return json.loads(json.dumps(make))
 
 
 def _digest(header: str, leaves: list[Leaf]) -> str:

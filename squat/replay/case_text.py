@@ -1,5 +1,6 @@
 """What was run, in words: status, parameters with units, provenance."""
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -39,10 +40,7 @@ def case(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
 
 def page(run: Run) -> str:
     """Markdown page of a run."""
-    rows = "\n".join(
-        f"| {row.name} | {f'{_value(row.value)} {row.unit}'.rstrip()} |"
-        for row in ROWS[run.kind](run)
-    )
+    rows = "\n".join(f"| {row.name} | {_value(row)} |" for row in ROWS[run.kind](run))
     attributes = run.data.attrs
     return (
         f"# {run.data.attrs['title']}\n\n"
@@ -57,8 +55,11 @@ def page(run: Run) -> str:
     )
 
 
-def _value(value: object) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+def _value(row: Row) -> str:
+    """The value with its unit; that of a root which is not there is none."""
+    if not isinstance(row.value, float):
+        return f"{row.value} {row.unit}".rstrip()
+    return "none" if math.isnan(row.value) else f"{row.value:.6g} {row.unit}".rstrip()
 
 
 def _ship(run: Run) -> list[Row]:

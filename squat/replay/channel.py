@@ -12,7 +12,7 @@ from squat.quantities import Vector
 from squat.replay import scene
 from squat.replay.field import Scales, draw_field, snapshot_times
 from squat.replay.moved import moved
-from squat.replay.panels import Place, panel
+from squat.replay.panels import Place, panel, picture_aspect
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Run
 from squat.replay.style import GREY, PALE, SKY
@@ -56,7 +56,8 @@ def channel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
     """One picture a run, all in the same scales."""
     scales = Scales.of(runs)
     times = max(Extent.of(run).stretch for run in runs)
-    return [_picture(recorder, run, scales, times, _ASPECT * len(runs)) for run in runs]
+    aspect = picture_aspect(_ASPECT, len(runs))
+    return [_picture(recorder, run, scales, times, aspect) for run in runs]
 
 
 def _picture(

@@ -5,12 +5,11 @@ Where the energy is stands in a second tab on the left.
 
 import rerun.blueprint as rrb
 
-from squat.replay.panels import Place
+from squat.replay.panels import AT_ONCE, Place
 from squat.replay.runs import Run
 
 _PLAYED_IN = 20.0  # s on the watch for a whole run
 _COLUMNS = (4.0, 1.6)
-_PICTURES_AT_ONCE = 2
 _IN_A_ROW = 3  # plots whose titles and legends can be read
 
 
@@ -51,7 +50,7 @@ def _left(views: dict[Place, list[rrb.View]]) -> rrb.Container:
     else:
         below = [rrb.Grid(*plots, grid_columns=2 if len(plots) == 4 else _IN_A_ROW)]
         shares = [1.0, 1.4]
-    many = len(pictures) > _PICTURES_AT_ONCE
+    many = len(pictures) > AT_ONCE
     above = rrb.Tabs(*pictures) if many else rrb.Vertical(*pictures)
     motion = rrb.Vertical(above, *below, row_shares=shares, name="Motion")
     if not views[Place.ENERGY]:

@@ -8,12 +8,16 @@ from squat.replay.panels import Draw, Place, panel
 from squat.replay.plots import PLOTS, Curve, Plot
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
-from squat.replay.style import run_color, shaded, ticked
+from squat.replay.style import run_color, ticked
 
 _LINKED = 30.0
 """Time [s] before and after the one played that diagrams with linked axes show."""
+_NUMBERED = 300.0
+"""Time [s] up to which the viewer has more than one number on the axis of a narrow diagram."""
 _NAME, _LEGEND = 0.12, 0.5
 """Share of a diagram's height that a name in its legend takes, and that all may take."""
+_FAR = 5.0
+"""Spans of what moves: a bound further below is left out."""
 _EDGE = 0.06
 """Share of what curves span that is left above and below where one of them is a dot."""
 Named = list[tuple[str, Vector]]
@@ -30,13 +34,17 @@ def time_view(
     run has it where curves go to its corner: a ship's first trough, and counts that stay level.
     """
     free = len(runs) == 1 and plot.legend is rrb.Corner2D.RightTop and plot.base is None
-    room = 0.0 if free else min(_NAME * len({name for name, _ in shown}), _LEGEND)
+    room = (
+        0.0
+        if free
+        else min(_NAME * len({name for name, told in shown if np.isfinite(told).any()}), _LEGEND)
+    )
     above, below = (room, 0.0) if plot.legend is rrb.Corner2D.RightTop else (0.0, room)
     return rrb.TimeSeriesView(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
-        axis_x=time_axis(_last(runs), _finite([values for _, values in shown]).size > 1),
+        axis_x=time_axis(_last(runs), any(np.isfinite(told).sum() > 1 for _, told in shown)),
         axis_y=_axis(shown, plot.least_span, above, below, plot.base),
         plot_legend=rrb.PlotLegend(plot.legend),
     )
@@ -94,13 +102,12 @@ def _overlaid(plot: Plot) -> Draw:
 
     def draw(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
         shown: Named = []
+        curves = [curve for curve in plot.curves if _drawn(curve, plot, runs)]
         for run in runs:
-            for curve in plot.curves:
-                if run.label and not curve.compared:
-                    continue
+            for curve in curves:
                 own = bool(run.label) and not _one_for_all(curve, runs)
                 clock, told = _rows(run, curve)
-                color = _color(curve, run) if own else curve.color
+                color = run_color(run.number) if own else curve.color
                 path = entity(run, "plots", plot.name, curve.name)
                 label = _name(plot, curve, run) if own else curve.label
                 shown.append((label, told))
@@ -110,9 +117,30 @@ def _overlaid(plot: Plot) -> Draw:
         if not _finite([values for _, values in shown]).size:
             stepless = all(len(run.steps.time) == 1 for run in runs)
             title += ": no step was accepted" if stepless else ": no values"
+        elif (last := _last(runs)) > _NUMBERED:
+            title += f"; 0 to {last:.4g} s"
         return [time_view(plot, title, paths, shown, runs)]
 
     return draw
+
+
+def _drawn(curve: Curve, plot: Plot, runs: tuple[Run, ...]) -> bool:
+    """Whether the curve is told: of several runs what is compared, or a constant they share."""
+    if len(runs) > 1:
+        constant = not (curve.last or curve.values(runs[0].data).ndim)
+        if not curve.compared or (constant and not _one_for_all(curve, runs)):
+            return False
+    return not (curve.bound and _far_below(curve, plot, runs))
+
+
+def _far_below(curve: Curve, plot: Plot, runs: tuple[Run, ...]) -> bool:
+    """Whether the curve lies so far below the plot's others that it would flatten them."""
+    others = [one for one in plot.curves if not one.bound and _drawn(one, plot, runs)]
+    seen, low = (
+        _finite([np.ravel(one.values(run.data).values) for one in some for run in runs])
+        for some in (others, [curve])
+    )
+    return bool(seen.size and low.size and seen.min() - low.min() > _FAR * np.ptp(seen))
 
 
 def _one_for_all(curve: Curve, runs: tuple[Run, ...]) -> bool:
@@ -121,12 +149,6 @@ def _one_for_all(curve: Curve, runs: tuple[Run, ...]) -> bool:
     if values[0].ndim:
         return False
     return bool(np.allclose(values, values[0], rtol=1e-9, atol=0, equal_nan=True))
-
-
-def _color(curve: Curve, run: Run) -> str:
-    """The run's colour, that of a constant lighter or darker by its `shade`."""
-    own = run_color(run.number)
-    return own if curve.values(run.data).ndim else shaded(own, curve.shade)
 
 
 def _name(plot: Plot, curve: Curve, run: Run) -> str:

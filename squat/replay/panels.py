@@ -43,6 +43,8 @@ class Panel(NamedTuple):
     draw: Draw
 
 
+AT_ONCE = 2
+"""Pictures that stand one above the other; more are tabs."""
 PANELS: dict[str, Panel] = {}
 
 
@@ -54,6 +56,11 @@ def panel(name: str, place: Place, needs: tuple[str, ...]) -> Callable[[Draw], D
         return draw
 
     return register
+
+
+def picture_aspect(alone: float, count: int) -> float:
+    """Width over height of each of `count` pictures, where a single one has that of `alone`."""
+    return alone * count if count <= AT_ONCE else alone
 
 
 def draw_all(recorder: Recorder, runs: tuple[Run, ...]) -> dict[Place, list[rrb.View]]:

@@ -20,10 +20,10 @@ class Curve(NamedTuple):
     """One line: entity, values (time,) or () of a record, name in the legend, colour.
 
     `compared` curves are overlaid where there are several runs, and their differences drawn; a
-    `width` [points] beyond the others' shows a curve below one that it should agree with. Where
-    constants of several runs differ they are in the runs' colours, lighter or darker by `shade`. A
-    constant that is of the run's `last` moment is a dot there. `whole` numbers belong to steps, and
-    are not interpolated between them.
+    `width` [points] beyond the others' shows a curve below one that it should agree with. Several
+    runs have a constant that they share; one that is of a run's `last` moment is a dot there. A
+    `bound` is left out where it lies so far below what moves that it would flatten that.
+    `whole` numbers belong to steps, and are not interpolated between them.
     """
 
     name: str
@@ -32,8 +32,8 @@ class Curve(NamedTuple):
     color: str
     compared: bool = False
     width: float = 1.5
-    shade: float = 0.0
     last: bool = False
+    bound: bool = False
     whole: bool = False
 
 
@@ -67,13 +67,6 @@ def counts(data: xr.Dataset) -> xr.DataArray:
     return data["iterations"].where(data["iterations"] > 0)
 
 
-def near_root(data: xr.Dataset) -> xr.DataArray:
-    """The unstable root, unless it is so far below that it would flatten the motion."""
-    seen = np.append(data["heave"].values, data["stable_root"].values)
-    span = np.nanmax(seen) - np.nanmin(seen)
-    return data["unstable_root"].where(np.nanmin(seen) - data["unstable_root"] <= _FAR * span)
-
-
 def since_start(*names: str) -> Values:
     """Change of the sum of `names` since the start, in millions."""
     return lambda data: sum(data[name] - data[name][0] for name in names) / 1e6  # type: ignore[return-value]
@@ -94,7 +87,6 @@ def failed_contraction(data: xr.Dataset) -> xr.DataArray:
     return data.get("failed_contraction", xr.DataArray(np.nan))
 
 
-_FAR = 5.0  # spans of the motion
 _ROOTS = ("stable root of (27)", "unstable root of (27)")
 _WATER = ("water_energy", "static_energy", "stream_energy")
 PLOTS = (
@@ -104,8 +96,10 @@ PLOTS = (
         ("heave", "stable_root", "unstable_root"),
         (
             Curve("heave", variable("heave"), "w", SKY, compared=True),
-            Curve("stable_root", variable("stable_root"), _ROOTS[0], GREEN, True, 0.75, 0.5),
-            Curve("unstable_root", near_root, _ROOTS[1], RED, True, 0.75, -0.5),
+            Curve("stable_root", variable("stable_root"), _ROOTS[0], GREEN, True, 0.75),
+            Curve(
+                "unstable_root", variable("unstable_root"), _ROOTS[1], RED, True, 0.75, bound=True
+            ),
         ),
         rrb.Corner2D.LeftBottom,
     ),

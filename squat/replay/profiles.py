@@ -50,12 +50,15 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     seen = [0.0, *np.ravel([np.quantile(field, _SEEN) for field in fields])]
     chart = Chart(
         "keel_pressure",
-        "Pressure under the keel; level line: 1D, Eq. (27)",
+        "Pressure under the keel",
         _span([float(end) for along in x for end in (along[0], along[-1])], 0.0),
         _span([*seen, *_levels(np.concatenate(uniform), float(np.ptp(seen)))]),
         "x from the bow [m]",
         "pressure less hydrostatic [kPa]",
     )
+    low, high = chart.y
+    if any(((low <= level) & (level <= high)).any() for level in uniform):
+        chart.title += "; level line: 1D, Eq. (27)"
     for run, along, field, level in zip(runs, x, fields, uniform, strict=True):
         lines = [np.column_stack([along, row]) for row in field]
         flat = [np.column_stack([along[[0, -1]], [value, value]]) for value in level]

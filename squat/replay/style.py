@@ -4,7 +4,7 @@ import math
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.colors import to_hex, to_rgb, to_rgba_array
+from matplotlib.colors import to_rgba_array
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
@@ -34,13 +34,6 @@ def rgba(*names: str) -> NDArray[np.uint8]:
 def run_color(number: int) -> str:
     """Colour of the run of that number, from 0."""
     return RUNS[number % len(RUNS)]
-
-
-def shaded(color: str, shade: float) -> str:
-    """`color` with a share `shade` of white in it, or `-shade` of black."""
-    share, end = abs(shade), float(shade > 0)
-    red, green, blue = ((1 - share) * part + share * end for part in to_rgb(color))
-    return to_hex((red, green, blue))
 
 
 def colors(values: Vector, limits: tuple[float, float]) -> NDArray[np.uint8]:

@@ -8,7 +8,7 @@ import rerun.blueprint as rrb
 
 from squat.quantities import Vector
 from squat.replay import scene
-from squat.replay.panels import Place, panel
+from squat.replay.panels import Place, panel, picture_aspect
 from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Run
 from squat.replay.style import BLUE, GREY, ORANGE, PALE, rgba
@@ -22,7 +22,8 @@ _ASPECT = 2.0
 @panel("tube", Place.PICTURE, ("position", "exact_position"))
 def tube(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
     """One picture a run."""
-    return [_picture(recorder, run, _ASPECT * len(runs)) for run in runs]
+    aspect = picture_aspect(_ASPECT, len(runs))
+    return [_picture(recorder, run, aspect) for run in runs]
 
 
 def magnification(position: Vector, length: float) -> float:

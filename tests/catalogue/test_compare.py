@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 import squat as api
 from squat.catalogue import (
@@ -16,6 +17,7 @@ from squat.errors import InputError
 from squat.figures.compare import CompareCase, draw, write_compare
 from squat.figures.labels import axis_label
 from squat.figures.layers import looks
+from squat.figures.run_points import draw_points
 from tests.catalogue.runs import RATIOS
 
 
@@ -164,6 +166,32 @@ def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():
     assert telling(table.assign(**{"hull.draft": [8.0, 9.0, 9.0]})) == ["hull.draft", "modes"]
 
 
+def test_dots_that_lie_on_each_other_are_all_seen():
+    table = pd.DataFrame(
+        {
+            "scheme": ["a", "a", "b", "b", "c", "c"],
+            "current": [1.0, 2.0] * 3,
+            "clearance": [5.0, 6.0, 5.0, 6.0, 9.0, 7.0],
+            "status": "completed",
+            "kind": "x",
+        }
+    )
+    axes = Figure().add_subplot()
+    draw_points(axes, table, "clearance", "current", lambda kind, key: None)
+    sizes = [line.get_markersize() for line in axes.lines]
+    assert sizes[0] > sizes[1] == sizes[2]
+    names = table.assign(current=["low", "high"] * 3)
+    axes = Figure().add_subplot()
+    draw_points(axes, names, "clearance", "current", lambda kind, key: None)
+    assert [line.get_linestyle() for line in axes.lines] == ["None"] * 3
+
+
+def test_more_lines_than_looks_there_are_begin_anew():
+    found = looks([np.array([[0.0, 1.0], [n, n + 1.0]]) for n in range(30)])
+    assert len(found) == 30
+    assert len({(look["color"], str(look["ls"])) for look in found}) == 21
+
+
 def test_runs_without_the_variable_are_skipped_and_counted(runs, tmp_path, caplog):
     out = tmp_path / "compare.png"
     write_compare(CompareCase(runs=str(runs), where="", variable=None, over=None), out)
@@ -172,9 +200,9 @@ def test_runs_without_the_variable_are_skipped_and_counted(runs, tmp_path, caplo
     assert len(axes.lines) == len(RATIOS)
     draw(find([runs]), "result.position_last", "piston.mass_ratio")
     assert [record.getMessage() for record in caplog.records] == [
-        "1 of 4 runs skipped: without position",
-        "1 of 4 runs skipped: without position",
-        "1 of 4 runs skipped: without result.position_last and piston.mass_ratio",
+        "1 of 4 runs left out: without position",
+        "1 of 4 runs left out: without position",
+        "1 of 4 runs left out: without result.position_last or piston.mass_ratio",
     ]
 
 

@@ -10,9 +10,9 @@ import rerun as rr
 import xarray as xr
 
 from squat import records
-from squat.replay.overlay import _axis, _overlaid, difference, time_view
-from squat.replay.panels import draw_all
-from squat.replay.plots import PLOTS, Curve, near_root
+from squat.replay.overlay import _axis, _drawn, _overlaid, difference, time_view
+from squat.replay.panels import draw_all, picture_aspect
+from squat.replay.plots import PLOTS, Curve
 from squat.replay.recorder import Recorder
 from squat.replay.runs import labels, load
 from squat.sweeps.folders import job_folder
@@ -42,19 +42,14 @@ def test_a_run_has_one_colour_where_another_has_no_such_curve_too(record, entiti
     assert pitch == heave
 
 
-def test_a_root_far_below_does_not_flatten_the_motion():
-    near, far = (
-        xr.Dataset(
-            {
-                "heave": ("time", [-0.1, -1.0]),
-                "stable_root": ((), -0.8),
-                "unstable_root": ((), root),
-            }
-        )
-        for root in (-5.0, -8.0)
+@pytest.mark.parametrize(("root", "far"), [(-5.0, False), (-8.0, True), (np.nan, False)])
+def test_a_root_far_below_does_not_flatten_the_motion(root, far):
+    data = xr.Dataset(
+        {"heave": ("time", [-0.1, -1.0]), "stable_root": ((), -0.8), "unstable_root": ((), root)}
     )
-    assert float(near_root(near)) == -5.0
-    assert np.isnan(near_root(far))
+    (plot,) = (one for one in PLOTS if one.name == "heave")
+    runs = (SimpleNamespace(data=data, label=""),)
+    assert [_drawn(curve, plot, runs) for curve in plot.curves] == [True, True, not far]
 
 
 def test_a_run_less_itself_is_nothing(ship, tmp_path):
@@ -136,18 +131,49 @@ def test_roots_that_runs_share_are_drawn_as_those_of_a_single_run(record, entiti
             assert (here["names"], here["colors"]) == (alone["names"], alone["colors"])
 
 
-def test_roots_that_differ_are_told_apart_by_run_and_kind(record, entities, fallen, kept):
+def test_roots_that_differ_are_left_to_the_parameters(record, entities, fallen, kept):
     found = entities(record(fallen[0], kept))
-    lines = [
-        found[f"{run}/plots/heave/{name}"].rows
-        for run in ("fallen", "kept")
-        for name in ("heave", "stable_root", "unstable_root")
+    drawn = [name for name in found if "/plots/heave/" in name]
+    assert sorted(drawn) == ["fallen/plots/heave/heave", "kept/plots/heave/heave"]
+
+
+def test_a_root_is_near_to_all_runs_or_to_none():
+    """Of a run that ends at once it would be far; the motion of the other counts for both."""
+    roots = {"stable_root": ((), -0.8), "unstable_root": ((), -6.0)}
+    still, moving = (
+        SimpleNamespace(data=xr.Dataset({"heave": ("time", heave), **roots}), label="run")
+        for heave in ([-0.8, -0.79], [-0.1, -3.0])
+    )
+    (plot,) = (one for one in PLOTS if one.name == "heave")
+    drawn = [
+        [_drawn(curve, plot, runs) for curve in plot.curves]
+        for runs in ((still, still), (still, moving))
     ]
-    kinds = ("", ": stable root of (27)", ": unstable root of (27)")
-    assert [rows["names"][0][0] for rows in lines] == [
-        f"{run}{kind}" for run in ("fallen", "kept") for kind in kinds
-    ]
-    assert len({rows["colors"][0][0] for rows in lines}) == len(lines)
+    assert drawn == [[True, True, False], [True, True, True]]
+
+
+def test_pictures_in_tabs_have_the_whole_place():
+    assert [picture_aspect(3.0, count) for count in (1, 2, 3)] == [3.0, 6.0, 3.0]
+
+
+def test_a_diagram_longer_than_its_axis_is_numbered_says_how_long(bare):
+    (run,) = load((str(bare),))
+    (plot,) = (one for one in PLOTS if one.name == "iterations")
+    names = []
+    for factor in (1.0, 479.7 / run.steps.time[-1]):
+        slow = replace(run, data=run.data.assign_coords(time=run.data["time"] * factor))
+        recorder = Recorder(rr.RecordingStream("test"))
+        names += [str(view.name) for view in _overlaid(plot)(recorder, (slow,))]
+    assert names == ["Iterations of a step", "Iterations of a step; 0 to 479.7 s"]
+
+
+def test_a_dot_of_each_of_two_runs_does_not_set_the_axis_of_time():
+    (plot,) = (one for one in PLOTS if one.name == "contraction")
+    run = SimpleNamespace(span=SimpleNamespace(time=np.array([0.0, 9.0])))
+    dots = [(name, np.array([np.nan, 0.2, np.nan])) for name in "ab"]
+    view = time_view(plot, "Contraction", [], dots, (run,))
+    told = view.properties["TimeAxis"].view_range.as_arrow_array().to_pylist()
+    assert told
 
 
 def test_labels_say_what_differs_and_no_more():

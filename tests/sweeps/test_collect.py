@@ -17,7 +17,7 @@ from squat.config import compose, validate
 from squat.config.units import unit
 from squat.errors import InputError
 from squat.piston import run
-from squat.records import build, read, save
+from squat.records import build, read, read_group, save
 from squat.records.schema import Kind, Variable
 from squat.stability.run import run as equilibria
 from squat.sweeps import FAILED, CollectCase, write_plan
@@ -226,6 +226,8 @@ def test_a_sweep_is_read_back_and_an_altered_one_refused(job, joined, tmp_path):
     assert sorted(back.variables) == sorted(sweep.variables)
     assert back["position"].attrs["units"] == "m"
     assert joined().equals(sweep)  # a sweep among the runs is not one of them
+    with pytest.raises(InputError, match="no group 'fields'; a sweep's jobs keep theirs"):
+        read_group(path, "fields")
     save(sweep.drop_vars("velocity"), path, {}, 0.0)
     with pytest.raises(InputError, match="'velocity' is not what was joined"):
         read(path)
