@@ -1,5 +1,7 @@
 """The step that keeps energy: to rounding, of second order, symmetric, honest where it fails."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -171,6 +173,22 @@ def test_rounding_of_a_system_is_measured():
     found = rounding_of(AsArrays(Blurred()), np.array([0.3]), np.ones(1))
     # Second differences of noise within +-1e-10 reach four times that.
     assert Blurred.noise < found <= 8.1 * Blurred.noise
+
+
+@pytest.mark.parametrize("noisy", ["mass", "potential"])
+def test_rounding_is_twice_the_second_difference_that_either_energy_leaves(noisy):
+    """Values that jump by d to and fro have second differences of 2 d."""
+    jump, looks = 1e-10, {"mass": 0, "potential": 0}
+
+    def told(name):
+        looks[name] += 1
+        return 1.0 + jump * (looks[name] % 2) * (name == noisy)
+
+    system = SimpleNamespace(
+        mass=lambda q: np.array([[told("mass")]]), potential=lambda q: told("potential")
+    )
+    found = rounding_of(system, np.zeros(1), np.ones(1))
+    assert found == pytest.approx(2 * 2 * jump / (1 + jump), rel=1e-5)
 
 
 def test_noise_of_a_flow_does_not_keep_a_step_over_a_turning_point_from_converging():
