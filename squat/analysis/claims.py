@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from squat import published
+from squat.analysis.piston_tables import CUT_OFF
 from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH, Verdict, judge
 from squat.coupling.amplification import limit_mass_ratio
 from squat.dynamics import INTEGRATORS, IntegratorName
@@ -115,7 +116,9 @@ def _(sources: Sources) -> Finding:
 def _(sources: Sources) -> Finding:
     means = sources.iterations["mean_iterations"].sel(added_mass_ratio=1).values
     least, greatest = means.min(), means.max()
-    note = f"the greatest of {means.size} mass ratios; the least: {least:.6g}"
+    beside = ", ".join(map(str, CUT_OFF.values()))
+    note = f"the greatest of {means.size} mass ratios, {beside} beside Table 2's; "
+    note += f"the least: {least:.6g}"
     return Finding(float(greatest), note, rounds_down=True)
 
 

@@ -38,7 +38,8 @@ def table2(data: xr.Dataset) -> LookUp:
         found = _count(data, ratio[keys["scheme"]], keys["mf_over_m"])
         if keys["scheme"] == "standard" and keys["mf_over_m"] in excluded:
             low, high = excluded[keys["mf_over_m"]]
-            note = f"Eq. (11) gives the printed count only at tolerances {low:.1e} to {high:.1e} m"
+            note = "Eq. (11) gives the printed count, give or take one, only at tolerances "
+            note += f"{low:.1e} to {high:.1e} m"
             return found._replace(note=note, inconsistent=True)
         return found
 

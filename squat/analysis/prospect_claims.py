@@ -27,7 +27,8 @@ def _plunge(run: xr.Dataset) -> str:
     start, greatest = np.rad2deg([float(pitch[0]), abs(most)])
     return (
         f"set free {start:.2g} degrees bow down at {float(run.attrs['current']):g} m/s, the ship "
-        f"falls {greatest:.1f} degrees down by the {'bow' if most > 0 else 'stern'}"
+        f"of the printed scheme trims by the {'bow' if most > 0 else 'stern'} as it sinks, by "
+        f"{greatest:.1f} degrees at most"
     )
 
 
@@ -53,7 +54,8 @@ def _(sources: Sources) -> Finding:
     current = float(run.attrs["current"])
     alone = sources.run("printed", current)
     text = f"heave and pitch: {run.attrs['status']}, {_solves(run):.1f} solves a step"
-    note = f"at {current:g} m/s, with the matrix m_add, greatest |G| {_factor(run):.2f}"
+    note = f"at {current:g} m/s, with the matrix m_add, greatest predicted |G| "
+    note += f"{_factor(run):.2f}"
     if alone is not None:
         note += f"; heave alone: {_solves(alone):.1f} and {_factor(alone):.2f}"
     note += ". Roll turns out of this plane"
@@ -66,7 +68,7 @@ def _(sources: Sources) -> Finding:
     text = f"{_solves(fresh):.1f} solves a step in place of {_solves(kept):.1f}"
     note = (
         f"at {float(fresh.attrs['current']):g} m/s in heave and pitch, all terms at one time; "
-        f"greatest |G| {_factor(fresh):.2f} in place of {_factor(kept):.2f}: the matrix is what "
-        "the iteration feeds back, under the lid, not that of Eq. (23) brought up to date"
+        f"greatest predicted |G| {_factor(fresh):.2f} in place of {_factor(kept):.2f}: the matrix "
+        "is what the iteration feeds back, under the lid, not that of Eq. (23) brought up to date"
     )
     return Finding(text, note, holds(_solves(fresh) < _solves(kept)))

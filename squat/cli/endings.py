@@ -40,4 +40,8 @@ def _added_mass(dataset: xr.Dataset) -> str:
         )
         given = float(dataset["added_mass_mesh"].sel(entry)) / mass
         parts.append(f"{mode} {measured(value, error)} (on the given mesh {given:.5g})")
-    return f"added mass over the ship's mass ({mass:.6g} kg/m): {', '.join(parts)}"
+    i, given = (float(dataset[f"inertia_coefficient{end}"]) for end in ("", "_mesh"))
+    return (
+        f"added mass over the ship's mass ({mass:.6g} kg/m): {', '.join(parts)}; "
+        f"inertia coefficient i = {i:.6g} (on the given mesh {given:.5g})"
+    )

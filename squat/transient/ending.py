@@ -94,7 +94,7 @@ def told(dataset: xr.Dataset, case: TransientCase) -> str:
     """How and where the run of `case` in `dataset` ended, for the log."""
     status, failed = str(dataset.attrs["status"]), dataset["failed_residual"].size > 0
     if status == "completed":
-        return f"{status}, {_length(dataset)}"
+        return f"{status} at {_length(dataset)}"
     step, heave = dataset.sizes["time"] - 1 + failed, float(dataset["heave"][-1])
     where = f"{status} at step {step} of {case.time.steps} (w = {heave:.4g} m), {_length(dataset)}"
     scheme = status in ("diverged", "iteration limit") and case.coupling.name.startswith("printed")
@@ -108,8 +108,8 @@ def _length(dataset: xr.Dataset) -> str:
     """
     seconds, period = float(dataset["time"][-1]), small_period(dataset)
     if not math.isfinite(period):
-        return f"{seconds:.4g} s"
-    return f"{seconds:.4g} s; small heave about its equilibrium has a period of {period:.4g} s"
+        return f"t = {seconds:.4g} s"
+    return f"t = {seconds:.4g} s; small heave about its equilibrium has a period of {period:.4g} s"
 
 
 def small_period(dataset: xr.Dataset) -> float:

@@ -9,10 +9,16 @@ force holds -c w'' - c' w'^2/2 of the trial itself (docs/theory/energy.md):
     G = [m_add - c - (s1/s3) dt c' w' - (dt^2/s3) k] / (m + m_add)
     k = rho g L - V^2 a''/2 + c' w'' + w'^2 c''/2
 
-For n modes the eigenvalue of largest modulus of (M_s + m_add)^-1 [m_add - beta c - (dt^2/s3) K],
-K the stiffness in still water: what is left out is of the order of dt (s1 - s2) and dt^2 V^2.
+For n modes the eigenvalue of largest modulus, with the sign of its real part, of
+
+    (M_s + m_add)^-1 [m_add - beta c + (dt/s3) D - (dt^2/s3) K]
+    D_ij = s1 (V b_j,i + w'_k c_kj,i) - s2 (V b_i,j + w'_k c_ik,j)
+
+s2 = s1 and w'_k c_ij,k less for the variational force. K is the stiffness in still water: what is
+left out is of the order of dt^2 V^2. With s1 = s2 the first terms in V are Gam.
 """
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -21,7 +27,7 @@ import numpy as np
 from squat.dynamics.hydrostatics import heave_stiffness
 from squat.fluid.curves import Curves
 from squat.fluid.energy import still_water
-from squat.fluid.model import EnergyModel
+from squat.fluid.model import EnergyModel, Slopes
 from squat.fluid.rates import RATES
 from squat.quantities import Vector
 from squat.transient.case import TransientCase
@@ -53,23 +59,38 @@ def predicted_contraction(
         return np.full(len(columns.position), np.nan)
     if isinstance(model, Curves):
         return _of_heave(case, parts, model, columns)
-    return np.array(list(_of_modes(case, parts, model, columns.position)))
+    return np.array(list(_of_modes(case, parts, model, columns)))
 
 
 def _of_modes(
-    case: TransientCase, parts: Parts, model: EnergyModel, positions: Vector
+    case: TransientCase, parts: Parts, model: EnergyModel, columns: Columns
 ) -> Iterator[float]:
-    """Largest eigenvalue by modulus at each of `positions` (time, n)."""
+    """Largest eigenvalue by modulus at each recorded position."""
     choice, free = case.coupling, np.ix_(parts.problem.free, parts.problem.free)
     beta = choice.beta(case.force)
     K = still_water(parts.fluid.mesh.submesh, case.water).stiffness
     m_add = parts.added_mass * (choice.scheme == "corrected")
-    for before, q in zip([positions[0], *positions[:-1]], positions, strict=True):
+    positions, velocities = columns[:2]
+    before = [positions[0], *positions[:-1]]
+    for last, q, velocity in zip(before, positions, velocities, strict=True):
         if choice.scheme == "consistent":
-            m_add = beta * model.coefficients(before).c
-        change = m_add - beta * model.coefficients(q).c - parts.dt**2 / choice.ties.s3 * K
+            m_add = beta * model.coefficients(last).c
+        D = _damping(case, model.slopes(q), velocity)
+        change = m_add - beta * model.coefficients(q).c
+        change += (parts.dt * D - parts.dt**2 * K) / choice.ties.s3
         G = np.linalg.solve((parts.problem.body.matrix + m_add)[free], change[free])
-        yield float(max(np.linalg.eigvals(G).real, key=abs, default=0.0))
+        largest = max(np.linalg.eigvals(G).tolist(), key=abs, default=0.0)
+        yield math.copysign(abs(largest), complex(largest).real)
+
+
+def _damping(case: TransientCase, slopes: Slopes, velocity: Vector) -> Vector:
+    """D (n, n): what the force changes by with the velocity of the trial, and with its rates."""
+    s1, V = case.coupling.ties.s1, case.current
+    ahead = V * slopes.b.T + np.einsum("kji,k->ij", slopes.c, velocity)
+    behind = V * slopes.b + np.einsum("ikj,k->ij", slopes.c, velocity)
+    if case.force == "variational":
+        return np.asarray(s1 * (ahead - behind - slopes.c @ velocity))
+    return np.asarray(s1 * ahead - RATES[case.coupling.potential_rate].s2 * behind)
 
 
 def _of_heave(case: TransientCase, parts: Parts, curves: Curves, columns: Columns) -> Vector:

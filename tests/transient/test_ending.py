@@ -34,7 +34,7 @@ def test_a_scheme_that_fails_in_the_first_step_has_diverged(ship):
     data = run(case).dataset
     assert data.attrs["status"] == "diverged"
     assert told(data, case) == (
-        f"diverged at step 1 of {case.time.steps} (w = -0.1 m), 0 s; "
+        f"diverged at step 1 of {case.time.steps} (w = -0.1 m), t = 0 s; "
         "coupling=consistent_quasi_newton takes large added mass"
     )
 
@@ -43,7 +43,7 @@ def test_a_run_to_its_end_says_how_long_it_was_and_its_period(ship):
     case = ship("coupling=consistent", "time.periods=0.2", "current=2", *TINY)
     data = run(case).dataset
     found = re.fullmatch(
-        r"completed, (\S+) s; small heave .* a period of (\S+) s", told(data, case)
+        r"completed at t = (\S+) s; small heave .* a period of (\S+) s", told(data, case)
     )
     seconds, said = map(float, found.groups())
     assert seconds == pytest.approx(float(data["time"][-1]), rel=1e-3)
@@ -56,7 +56,7 @@ def test_a_run_to_its_end_says_how_long_it_was_and_its_period(ship):
 def test_a_run_of_several_modes_is_told_in_seconds_alone(ship):
     case = ship("modes=[heave,pitch]", "coupling=consistent", "time.periods=0.02", *TINY)
     data = run(case).dataset
-    assert told(data, case) == f"completed, {float(data['time'][-1]):.4g} s"
+    assert told(data, case) == f"completed at t = {float(data['time'][-1]):.4g} s"
 
 
 @pytest.mark.parametrize(
