@@ -67,7 +67,7 @@ def mesh_quality(data: xr.Dataset) -> Figure:
         faces = data["face_node"].values
         mesh = Triangulation(data[f"{prefix}_x"].values, data[f"{prefix}_z"].values, faces)
         drawn = axes.tripcolor(mesh, data[name].values, vmin=0, vmax=1, cmap="viridis")
-        axes.set_title(f"{label}: least {float(data[name].min()):.2f}", fontsize=10)
+        axes.set_title(f"{label}: least {float(data[name].min()):.2g}", fontsize=10)
         _channel(axes)
     figure.colorbar(drawn, ax=panels[:2], label="quality [-]")
     bins = np.linspace(0, 1, 41).tolist()

@@ -17,6 +17,8 @@ from squat.figures.layers import looks
 _DOT, _MORE = 1.2, 2.0  # size of a dot, pt, and what it grows by with the width of its line
 Units = Callable[[str, str], str | None]
 """Units of a configured key, by the kind of the run and the key."""
+_STOPPED = {"grounded": "v", "diverged": "X", "iteration limit": "s"}
+"""Markers of runs that did not end well, by status; a ring for any other."""
 _DONE = ("completed", "converged", "turned")
 """How runs end that have a result; kinds that have no status always do."""
 
@@ -48,6 +50,7 @@ def draw_points(axes: Axes, table: pd.DataFrame, variable: str, over: str, units
         for status, failed in group[~done].groupby("status"):
             name = ": ".join(filter(None, [label, str(status)]))
             ring = dots | {"ls": "", "mfc": "none", "color": look["color"]}
+            ring["marker"] = _STOPPED.get(str(status), "o")
             axes.plot(failed[over], failed[variable], label=name, **ring)
 
 

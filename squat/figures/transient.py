@@ -13,7 +13,7 @@ from squat.errors import InputError
 from squat.figures.labels import flattened, of_ships, said_in, stepless
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
 from squat.quantities import Vector
-from squat.stability.keel import keel_pressure, squat_speed, underside
+from squat.stability.keel import breaks, keel_pressure, squat_speed, underside
 
 _SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: corners are singular
 _ROOT = "root, Eq. (27)"
@@ -32,9 +32,9 @@ def fig11(*runs: xr.Dataset) -> Figure:
     drawn: dict[str, Any] = {}
     for n, (run, label) in enumerate(zip(runs, of_ships(runs), strict=True)):
         heave = panels[f"heave {n}"]
-        _heave(heave, run, root)
+        far = _heave(heave, run, root)
         _seconds(heave, float(run["omega"]))
-        heave.set_title(f"{label}: {run.attrs['status']}{_rootless(run)}", loc="left")
+        heave.set_title(f"{label}: {run.attrs['status']}{_rootless(run)}{far}", loc="left")
         handles, labels = heave.get_legend_handles_labels()
         drawn |= dict(zip(labels, handles, strict=True))
         _iterations(panels[f"iterations {n}"], run)
@@ -86,21 +86,19 @@ def _seconds(axes: Axes, omega: float) -> None:
     top.xaxis.set_major_formatter("{x:g} s")
 
 
-def _heave(axes: Axes, run: xr.Dataset, called: str) -> None:
+def _heave(axes: Axes, run: xr.Dataset, called: str) -> str:
+    """The motion and its roots; what to say of one that lies too far below to be drawn."""
     start = "o" if run.sizes["time"] == 1 else None
     axes.plot(run["phase"], run["heave"], marker=start, color=BLUE, label="heave $w$")
-    seen = np.append(run["heave"].values, run["stable_root"])
-    # A motion that does not come down to the stable root leaves that at the bottom, and room above.
-    low = float(run["heave"].min()) < run["stable_root"]
-    free: Any = {"x": 0.98, "y": 0.03, "ha": "right"} if low else {"x": 0.02, "y": 0.15}
+    seen, far = np.append(run["heave"].values, run["stable_root"]), ""
     for name, color in (("stable", GREEN), ("unstable", RED)):
         root = float(run[f"{name}_root"])
         if np.nanmin(seen) - root > _FAR * np.ptp(seen) > 0:
-            said = f"{name} root far below, {root:.2f} m"
-            axes.text(s=said, color=color, fontsize=8, transform=axes.transAxes, **free)
+            far += f"\n{name} root far below, {root:.2f} m"
         elif np.isfinite(root):
             axes.axhline(root, color=color, ls="--", lw=1, label=f"{name} {called}")
     axes.set_ylabel("$w$ [m]")
+    return far
 
 
 def _iterations(axes: Axes, run: xr.Dataset) -> None:
@@ -123,7 +121,9 @@ def fig12(run: xr.Dataset) -> Figure:
     config, end = records.config_of(run), run.isel(time=-1)
     depth, density = config["channel"]["depth"], config["water"]["density"]
     x, pressure = _along(end, depth, density * config["water"]["gravity"])
-    axes.plot(x, pressure / 1000, color=BLUE, label="2D (the corners are singular)")
+    apart = breaks(underside(run["hull_x"].values, run["hull_z"].values))
+    line = (np.insert(values, apart, np.nan) for values in (x, pressure / 1000))
+    axes.plot(*line, color=BLUE, label="2D (the corners are singular)")
     gap = depth - config["hull"]["draft"] + float(end["heave"])
     one = float(keel_pressure(density, run.attrs["current"], depth, gap)) / 1000
     uniform = "1D, uniform under the hull" + (f", {_FLAT}" if flattened(run) else "")

@@ -13,6 +13,7 @@ from squat.fluid.added_mass import AddedMass, FreeSurface
 from squat.fluid.hull_modes import HullMode, bending
 from squat.mesh import MeshSize, submesh
 from squat.mesh.generate import generate
+from squat.mesh.needles import told
 from squat.quantities import STRICT
 from squat.records import build
 from squat.records.added_mass_kinds import ADDED_MASS, entry_units, pressure_units
@@ -59,7 +60,7 @@ class AddedMassCase:
 def run(case: AddedMassCase) -> xr.Dataset:
     """Dataset of kind `added_mass`."""
     rho = case.water.density
-    mesh = generate(submesh(case.hull, case.channel), case.mesh)
+    mesh = told(generate(submesh(case.hull, case.channel), case.mesh))
     raw = AddedMass(mesh, case.free_surface, case.girder)
     value, error = accurate(case.hull, case.channel, case.accuracy, case.free_surface, case.girder)
     heave = raw.names.index("heave")

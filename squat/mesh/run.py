@@ -1,6 +1,5 @@
 """From a case to the mesh dataset."""
 
-import logging
 import re
 
 import xarray as xr
@@ -9,13 +8,10 @@ from squat.mesh.case import MeshCase
 from squat.mesh.generate import generate
 from squat.mesh.limits import PositionError
 from squat.mesh.mesh import Mesh
-from squat.mesh.quality import quality
+from squat.mesh.needles import told
 from squat.mesh.submesh import submesh
 from squat.mesh.ugrid import to_dataset
 
-_log = logging.getLogger(__name__)
-_NEEDLE = 0.01
-"""Quality at rest that no ready-made hull comes near."""
 _POSITION = re.compile(r"\b(?=(?:surge|heave|pitch)=)")
 """Where in a message a part of the position begins, whose key has a prefix here."""
 
@@ -39,21 +35,5 @@ def run(case: MeshCase) -> xr.Dataset:
         coarse.check(q)
     except PositionError as error:
         raise type(error)(_POSITION.sub("position.", str(error))) from error
-    mesh = generate(coarse, case.mesh)
-    _warn(mesh)
+    mesh = told(generate(coarse, case.mesh))
     return to_dataset(mesh, q)
-
-
-def _warn(mesh: Mesh) -> None:
-    found = quality(mesh.points, mesh.triangles)
-    needles = int((found < _NEEDLE).sum())
-    if needles:
-        _log.warning(
-            "mesh: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
-            "hull are close or nearly in line; give fewer hull.segments=, or hull.points= further "
-            "apart",
-            found.min(),
-            needles,
-            len(found),
-            _NEEDLE,
-        )

@@ -6,6 +6,7 @@ import xarray as xr
 
 from squat.fluid.ship import LOADING, about_gravity
 from squat.mesh import Mesh, submesh
+from squat.mesh.needles import told
 from squat.mesh.ugrid import from_dataset
 from squat.records import read_input
 from squat.records.mesh_kinds import MESH
@@ -46,4 +47,5 @@ def _mesh(case: ReducedCase) -> Mesh:
     # gmsh takes as long to import as all the rest, and needs graphics libraries.
     from squat.mesh.generate import generate  # noqa: PLC0415
 
-    return about_gravity(generate(submesh(case.hull, case.channel, modes), case.mesh), case.hull)
+    mesh = told(generate(submesh(case.hull, case.channel, modes), case.mesh))
+    return about_gravity(mesh, case.hull)

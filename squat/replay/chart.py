@@ -95,7 +95,8 @@ class Chart:
         It lies `under` the others if asked for.
         """
         parts = [pieces(line, *self._corners) for line in lines]
-        self.cut |= not all(within(line, *self._corners).all() for line in lines)
+        told = [line[np.isfinite(line).all(axis=1)] for line in lines]
+        self.cut |= not all(within(line, *self._corners).all() for line in told)
         strips = [self.canvas(*piece.T) for part in parts for piece in part]
         path = entity(run, "profiles", self.name, name)
         radius = rr.Radius.ui_points([width / 2])

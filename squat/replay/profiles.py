@@ -11,7 +11,7 @@ from squat.replay.panels import Place, panel
 from squat.replay.recorder import Recorder
 from squat.replay.runs import Run
 from squat.replay.style import ORANGE, RED, SKY, run_color
-from squat.stability.keel import keel_pressure, underside
+from squat.stability.keel import breaks, keel_pressure, underside
 
 _SEEN = (0.05, 0.95)  # shares of the 2D values that the axes hold: corners are singular
 _WIDE = 5.0  # pixels of the 1D line, which shows beside a 2D one that lies upon it
@@ -60,7 +60,8 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     if any(((low <= level) & (level <= high)).any() for level in uniform):
         chart.title += "; level line: 1D, Eq. (27)"
     for run, along, field, level in zip(runs, x, fields, uniform, strict=True):
-        lines = [np.column_stack([along, row]) for row in field]
+        apart = breaks(keel(run))
+        lines = [np.insert(np.column_stack([along, row]), apart, np.nan, axis=0) for row in field]
         flat = [np.column_stack([along[[0, -1]], [value, value]]) for value in level]
         several = bool(run.label)
         color = run_color(run.number)

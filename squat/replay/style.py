@@ -50,10 +50,11 @@ def ticks(low: float, high: float, count: int = 6) -> Vector:
 
 
 _MOST, _LEAST = 14, 3
+_NEAR = 0.21  # of the range: a line so near to its end is worth the room
 
 
 def ticked(low: float, high: float) -> tuple[float, float]:
-    """The range [low, high], widened where the viewer would number too few of its lines.
+    """The range [low, high], widened to lines near by where the viewer would number too few.
 
     Its time plots have lines at multiples of powers of ten, and room for the numbers of some
     fourteen: of -9 to 9 it would number 0 alone.
@@ -61,7 +62,15 @@ def ticked(low: float, high: float) -> tuple[float, float]:
     if not high > low:
         return low, high
     step = 10.0 ** math.ceil(math.log10((high - low) / _MOST))
-    if math.floor(high / step) - math.ceil(low / step) + 1 >= _LEAST:
+    if _lines(low, high, step) >= _LEAST:
         return low, high
+    below, above = math.floor(low / step) * step, math.ceil(high / step) * step
+    near = max(_NEAR * (high - low), min(low - below, above - high))
     margin = 0.04 * step
-    return math.floor(low / step) * step - margin, math.ceil(high / step) * step + margin
+    low = below - margin if low - below <= near else low
+    high = above + margin if above - high <= near else high
+    return low, high
+
+
+def _lines(low: float, high: float, step: float) -> int:
+    return math.floor(high / step) - math.ceil(low / step) + 1

@@ -28,6 +28,11 @@ def squat_speed(depth: float, clearance: float, gravity: float) -> float:
     return float(np.sqrt(gravity * gap**3) / depth)
 
 
+def breaks(nodes: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where among `nodes` of `underside` the outline goes on elsewhere: lines break there."""
+    return np.asarray(np.flatnonzero(np.diff(nodes) > 1) + 1, np.int64)
+
+
 def underside(x: Vector, z: Vector) -> NDArray[np.int64]:
     """Numbers of the nodes of a hull's outline, in its order, where it faces down below 45 degrees.
 

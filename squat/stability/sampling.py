@@ -11,6 +11,7 @@ from squat.fluid.curves import Curves
 from squat.fluid.direct import DirectEnergies
 from squat.mesh import MeshSize, submesh
 from squat.mesh.generate import generate
+from squat.mesh.needles import told
 from squat.quantities import Vector
 from squat.stability.heave import HeaveSystem
 from squat.water import Water
@@ -41,7 +42,7 @@ class Ship:
 
     def on(self, size: MeshSize) -> HeaveSystem:
         """The ship on a mesh of that size, in still water."""
-        mesh = generate(submesh(self.hull, self.channel, MODES), size)
+        mesh = told(generate(submesh(self.hull, self.channel, MODES), size))
         limits = mesh.submesh.limits
         low, high = (
             (self.grounding - 1) * limits.clearance,

@@ -63,13 +63,15 @@ def _geometry(case: LimitsCase) -> list[str]:
 
 
 def _gap(case: LimitsCase, data: Mapping[str, Any]) -> list[str]:
-    """Flat-plate turbulent boundary layer, 0.37 L Re^(-1/5), against the gap at equilibrium."""
-    gap = float(data["under_keel_clearance"])
+    """Turbulent boundary layer, 0.37 L Re^(-1/5), against the gap at equilibrium or at rest."""
+    gap, where = float(data["under_keel_clearance"]), ""
+    if math.isnan(gap):
+        gap, where = case.channel.depth - case.hull.outline.draft, " at rest"
     if not gap > 0 or case.current == 0:
         return []
     length, speed = case.hull.outline.length, case.current * case.channel.depth / gap
     layer = 0.37 * length * (speed * length / _VISCOSITY) ** -0.2
     if layer < _LAYER * gap:
         return []
-    share = min(100 * layer / gap, 100.0)
-    return [f"no viscosity: a boundary layer of {layer:.2g} m would fill {share:.0f} % of the gap"]
+    share = f"{min(100 * layer / gap, 100.0):.0f} % of the gap{where}"
+    return [f"no viscosity: a boundary layer of {layer:.2g} m would fill {share}"]

@@ -12,6 +12,7 @@ from squat.fluid.potential import PotentialFluid
 from squat.fluid.ship import LOADING, about_another_point, about_gravity
 from squat.mesh import MODES, Mesh, Submesh, submesh
 from squat.mesh.generate import generate
+from squat.mesh.needles import told
 from squat.mesh.ugrid import from_dataset
 from squat.quantities import Vector
 from squat.records.added_mass_kinds import ADDED_MASS
@@ -62,7 +63,7 @@ def _check_motion(case: TransientCase, submesh: Submesh) -> None:
 def load_mesh(case: TransientCase) -> Mesh:
     """The mesh of the input file, or a new one."""
     if case.inputs.mesh is None:
-        return generate(submesh(case.hull, case.channel, case.modes), case.mesh)
+        return told(generate(submesh(case.hull, case.channel, case.modes), case.mesh))
     data = records.read_input(
         case.inputs.mesh, MESH, case, ("hull", "channel", "mesh"), ignoring=LOADING
     )

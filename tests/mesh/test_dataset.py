@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from squat import records
 from squat.errors import InputError
 from squat.figures.write import FIGURES
+from squat.fluid.run import run as added_mass
 from squat.mesh.run import make, run
 from squat.mesh.ugrid import from_dataset
 from squat.records.mesh_kinds import MESH
@@ -50,6 +51,9 @@ def test_needles_are_warned_of_by_number_and_ready_made_hulls_have_none(case, ca
     (line,) = (record.getMessage() for record in caplog.records)
     assert f"{int((found < 0.01).sum())} of {found.size} triangles below 0.01: needles" in line
     assert "hull.points=" in line
+    caplog.clear()
+    added_mass(case("added_mass", "mesh=coarse", "accuracy.near=0.4", "hull=polygon", close))
+    assert [record.getMessage() for record in caplog.records] == [line]
 
 
 def test_topology_follows_ugrid(stored):

@@ -284,6 +284,16 @@ def test_a_boundary_layer_that_fills_the_gap_is_warned_of(case, current, warned)
     assert any("no viscosity" in text for text in found) == warned
 
 
+def test_where_there_is_no_equilibrium_the_gap_is_that_at_rest(case):
+    keys = "hull.length=400.0", "hull.draft=18.0", "current=1.0"
+    (found,) = (
+        text
+        for text in warnings_of(case("limits", *QUICK, *keys), clearance=math.nan)
+        if "no viscosity" in text
+    )
+    assert found.endswith("of the gap at rest")
+
+
 def test_a_short_ship_with_much_water_below_is_not_warned_of_viscosity(case):
     found = warnings_of(case("limits", *QUICK, "hull.length=10.0"), clearance=10.0)
     assert not any("no viscosity" in text for text in found)

@@ -1,0 +1,27 @@
+"""Whether a mesh has triangles too flat to be trusted."""
+
+import logging
+
+from squat.mesh.mesh import Mesh
+from squat.mesh.quality import quality
+
+_log = logging.getLogger(__name__)
+_NEEDLE = 0.01
+"""Quality at rest that no ready-made hull comes near."""
+
+
+def told(mesh: Mesh) -> Mesh:
+    """The mesh itself, with a warning where triangles are needles."""
+    found = quality(mesh.points, mesh.triangles)
+    needles = int((found < _NEEDLE).sum())
+    if needles:
+        _log.warning(
+            "mesh: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
+            "hull are close or nearly in line; give fewer hull.segments=, or hull.points= further "
+            "apart",
+            found.min(),
+            needles,
+            len(found),
+            _NEEDLE,
+        )
+    return mesh
