@@ -34,11 +34,8 @@ def time_view(
     run has it where curves go to its corner: a ship's first trough, and counts that stay level.
     """
     free = len(runs) == 1 and plot.legend is rrb.Corner2D.RightTop and plot.base is None
-    room = (
-        0.0
-        if free
-        else min(_NAME * len({name for name, told in shown if np.isfinite(told).any()}), _LEGEND)
-    )
+    names = {name for name, told in shown if np.isfinite(told).any()}
+    room = 0.0 if free else min(_NAME * len(names), _LEGEND)
     above, below = (room, 0.0) if plot.legend is rrb.Corner2D.RightTop else (0.0, room)
     return rrb.TimeSeriesView(
         origin="/",
