@@ -17,7 +17,7 @@ _NUMBERED = 300.0
 _NAME, _LEGEND = 0.12, 0.5
 """Share of a diagram's height that a name in its legend takes, and that all may take."""
 _FAR = 5.0
-"""Spans of what moves: a bound further below is left out."""
+"""Spans of what moves: a bound further off is left out."""
 _EDGE = 0.06
 """Share of what curves span that is left above and below where one of them is a dot."""
 Named = list[tuple[str, Vector]]
@@ -116,6 +116,7 @@ def _overlaid(plot: Plot) -> Draw:
             title += ": no step was accepted" if stepless else ": no values"
         elif (last := _last(runs)) > _NUMBERED:
             title += f"; 0 to {last:.4g} s"
+        title += "".join(_told(curve, runs) for curve in plot.curves if curve not in curves)
         return [time_view(plot, title, paths, shown, runs)]
 
     return draw
@@ -127,17 +128,28 @@ def _drawn(curve: Curve, plot: Plot, runs: tuple[Run, ...]) -> bool:
         constant = not (curve.last or curve.values(runs[0].data).ndim)
         if not curve.compared or (constant and not _one_for_all(curve, runs)):
             return False
-    return not (curve.bound and _far_below(curve, plot, runs))
+    return not (curve.bound and _far_off(curve, plot, runs))
 
 
-def _far_below(curve: Curve, plot: Plot, runs: tuple[Run, ...]) -> bool:
-    """Whether the curve lies so far below the plot's others that it would flatten them."""
+def _told(curve: Curve, runs: tuple[Run, ...]) -> str:
+    """What the title says of a last moment that lies too far off to be drawn."""
+    if not (curve.last and curve.compared):
+        return ""
+    values = _finite([np.ravel(curve.values(run.data).values) for run in runs])
+    return f"; {curve.label}: {', '.join(f'{value:.3g}' for value in values)}"
+
+
+def _far_off(curve: Curve, plot: Plot, runs: tuple[Run, ...]) -> bool:
+    """Whether the curve lies so far from the plot's others that it would flatten them."""
     others = [one for one in plot.curves if not one.bound and _drawn(one, plot, runs)]
-    seen, low = (
+    seen, own = (
         _finite([np.ravel(one.values(run.data).values) for one in some for run in runs])
         for some in (others, [curve])
     )
-    return bool(seen.size and low.size and seen.min() - low.min() > _FAR * np.ptp(seen))
+    if not (seen.size and own.size):
+        return False
+    apart = max(seen.min() - own.min(), own.max() - seen.max())
+    return bool(apart > _FAR * max(np.ptp(seen), plot.least_span) and np.ptp(seen) > 0)
 
 
 def _one_for_all(curve: Curve, runs: tuple[Run, ...]) -> bool:

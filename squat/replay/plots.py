@@ -22,7 +22,7 @@ class Curve(NamedTuple):
     `compared` curves are overlaid where there are several runs, and their differences drawn; a
     `width` [points] beyond the others' shows a curve below one that it should agree with. Several
     runs have a constant that they share; one that is of a run's `last` moment is a dot there. A
-    `bound` is left out where it lies so far below what moves that it would flatten that.
+    `bound` is left out where it lies so far from what moves that it would flatten that.
     `whole` numbers belong to steps, and are not interpolated between them.
     """
 
@@ -184,7 +184,9 @@ PLOTS = (
         ("contraction", "predicted_contraction"),
         (
             Curve("expected", variable("predicted_contraction"), "predicted G", ORANGE, width=4),
-            Curve("failed_step", failed_contraction, "measured, failed step", RED, True, last=True),
+            Curve(
+                "failed_step", failed_contraction, "failed step", RED, True, last=True, bound=True
+            ),
             Curve("measured", variable("contraction"), "measured", SKY, compared=True),
         ),
         least_span=0.02,

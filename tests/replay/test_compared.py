@@ -10,7 +10,7 @@ import rerun as rr
 import xarray as xr
 
 from squat import records
-from squat.replay.overlay import _axis, _drawn, _overlaid, difference, time_view
+from squat.replay.overlay import _axis, _drawn, _overlaid, _told, difference, time_view
 from squat.replay.panels import draw_all, picture_aspect
 from squat.replay.plots import PLOTS, Curve
 from squat.replay.recorder import Recorder
@@ -50,6 +50,22 @@ def test_a_root_far_below_does_not_flatten_the_motion(root, far):
     (plot,) = (one for one in PLOTS if one.name == "heave")
     runs = (SimpleNamespace(data=data, label=""),)
     assert [_drawn(curve, plot, runs) for curve in plot.curves] == [True, True, not far]
+
+
+@pytest.mark.parametrize(("failed", "far"), [(0.4, False), (12.0, True), (np.nan, False)])
+def test_a_failed_step_far_above_stands_in_the_title(failed, far):
+    data = xr.Dataset(
+        {
+            "contraction": ("time", [0.30, 0.31]),
+            "predicted_contraction": ((), 0.3),
+            "failed_contraction": ((), failed),
+        }
+    )
+    (plot,) = (one for one in PLOTS if one.name == "contraction")
+    (dot,) = (curve for curve in plot.curves if curve.last)
+    runs = (SimpleNamespace(data=data, label=""),)
+    assert _drawn(dot, plot, runs) is not far
+    assert not far or _told(dot, runs) == "; failed step: 12"
 
 
 def test_a_run_less_itself_is_nothing(ship, tmp_path):
