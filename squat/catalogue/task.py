@@ -64,8 +64,13 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
             print(f"not shown: {', '.join(left)}")
         print()
     failed = len({note.resolve() for folder in searched for note in folder.rglob(FAILED)})
-    beside = f", and {failed} jobs that failed ({FAILED} in their folders)" if failed else ""
-    print(f"{len(frame)} runs{beside}; {path} has all columns")
+    unasked = ", whatever where= asks" if case.where else ""
+    beside = f"; {_counted(failed, 'job')} failed ({FAILED} in their folders{unasked})"
+    print(f"{_counted(len(frame), 'run')}{beside if failed else ''}; {path} has all columns")
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
 def _text(frame: pd.DataFrame) -> str:

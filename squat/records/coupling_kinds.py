@@ -19,7 +19,7 @@ COUPLED = Kind(
         "fluid_force": Variable(
             _MODES, "N", "force of the fluid in the accepted iterate; NaN: not asked"
         ),
-        "iterations": Variable(_TIME, "1", "structure solves of the step"),
+        "iterations": Variable(_TIME, "1", "structure solves of the step; 0 at t = 0, no step"),
         "contraction": Variable(
             _TIME, "1", "measured contraction factor of the iteration; NaN: too few iterations"
         ),

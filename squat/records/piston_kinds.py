@@ -16,7 +16,7 @@ PISTON = Kind(
         "exact_position": Variable(_TIME, "m", "exact displacement, Eq. (5)"),
         "kinetic_energy": Variable(_TIME, "J", "kinetic energy of piston and water"),
         "potential_energy": Variable(_TIME, "J", "potential energy of piston and water"),
-        "iterations": Variable(_TIME, "1", "structure solves of the step"),
+        "iterations": Variable(_TIME, "1", "structure solves of the step; 0 at t = 0, no step"),
         "contraction": Variable(
             _TIME, "1", "measured contraction factor of the iteration; NaN: too few iterations"
         ),

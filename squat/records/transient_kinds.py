@@ -32,7 +32,7 @@ TRANSIENT = Kind(
             required=False,
         ),
         "clearance": Variable(_TIME, "m", "least height of the hull over the bottom"),
-        "iterations": Variable(_TIME, "1", "structure solves of the step"),
+        "iterations": Variable(_TIME, "1", "structure solves of the step; 0 at t = 0, no step"),
         "contraction": Variable(
             _TIME, "1", "measured contraction factor of the iteration; NaN: too few iterations"
         ),

@@ -12,7 +12,7 @@ from squat.quantities import Vector
 from squat.replay.runs import Clock, Run
 from squat.replay.style import rgba
 
-_DOT = 4.0  # size of the only point of a curve, points
+_DOT, _DOTS = 4.0, 2.0  # size of the only point of a curve, and of one of many, points
 _BATCH = 16  # frames in a chunk: some megabyte of mesh, which the viewer loads and drops at once
 
 
@@ -57,12 +57,14 @@ class Recorder:
     def series(
         self, path: str, clock: Clock, values: Vector, name: str, color: str, width: float = 1.5
     ) -> None:
-        """A line of a time plot, shape (rows,), of one row a dot; what is no number is left out."""
+        """A line of a time plot, shape (rows,); dots where numbers are lone or have gaps."""
         told = np.isfinite(values)
         if not told.any():
             return  # a chunk without rows makes the viewer's time panel fail
-        if told.sum() == 1:
-            look = rr.SeriesPoints.columns(names=[name], colors=rgba(color), marker_sizes=[_DOT])
+        first, last = np.flatnonzero(told)[[0, -1]]
+        if first == last or not told[first:last].all():
+            size = _DOT if first == last else _DOTS
+            look = rr.SeriesPoints.columns(names=[name], colors=rgba(color), marker_sizes=[size])
         else:
             look = rr.SeriesLines.columns(
                 names=[name],

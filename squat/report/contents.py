@@ -103,9 +103,13 @@ class ReportCase:
     ----------
     results
         Folder that holds `figures/`, `tables/` and datasets.
+    members
+        Files that share their folders with others, of other configurations, which are left out;
+        folders that hold none of them enter as a whole.
     contents
         Parts, sections and blocks.
     """
 
     results: str
+    members: tuple[str, ...]
     contents: Contents

@@ -2,13 +2,12 @@
 
 import hashlib
 import json
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from h5netcdf import File
 
-from squat.catalogue.find import files
 from squat.catalogue.flat import flatten
+from squat.report.members import Members
 
 _DIGITS = 12
 
@@ -30,17 +29,17 @@ class Provenance(NamedTuple):
     versions: list[tuple[str, str]]
 
 
-def provenance(results: Path) -> Provenance:
-    """Provenance of every dataset below `results`."""
+def provenance(members: Members) -> Provenance:
+    """Provenance of every dataset that belongs to the report."""
     origins, versions = [], dict[str, set[str]]()
-    for path in files([results]):
+    for path in members.datasets:
         with File(path, "r") as file:
             attrs = {name: str(value) for name, value in file.attrs.items()}
         if not attrs.get("schema", "").startswith("squat/") or "config" not in attrs:
             continue
         origins.append(
             Origin(
-                path.relative_to(results).as_posix(),
+                members.name(path),
                 attrs["schema"].split("/")[1],
                 digest(json.loads(attrs["config"])),
                 attrs.get("content_sha256", "")[:_DIGITS],

@@ -14,6 +14,7 @@ from squat.errors import InputError
 from squat.records.provenance import PAPER
 from squat.report.contents import Block, Part, ReportCase, Section
 from squat.report.estimates import estimates
+from squat.report.members import Members
 from squat.report.pictures import picture
 from squat.report.provenance import provenance
 from squat.report.tables import grid, read, short, symbol
@@ -48,23 +49,25 @@ def write_report(case: ReportCase, path: Path) -> None:
     results = Path(case.results)
     if not results.is_dir():
         raise InputError(f"results={results}: no such folder; run snakemake all first")
+    members = Members(results, case.members)
     verdicts = read(results / "tables" / "verdicts.csv")
     parts = [
-        (part, [_chapter(section, results, verdicts) for section in part.sections])
+        (part, [_chapter(section, members, verdicts) for section in part.sections])
         for part in case.contents.parts
     ]
-    text = _page(parts, verdicts, results)
+    text = _page(parts, verdicts, members)
     with records.atomic(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
 
 
-def _chapter(section: Section, results: Path, verdicts: pd.DataFrame) -> Chapter:
-    blocks = [Shown(block, _view(block, results, verdicts)) for block in section.blocks]
+def _chapter(section: Section, members: Members, verdicts: pd.DataFrame) -> Chapter:
+    blocks = [Shown(block, _view(block, members, verdicts)) for block in section.blocks]
     return Chapter(section, blocks, count([v for shown in blocks for v in of_block(*shown)]))
 
 
-def _view(block: Block, results: Path, verdicts: pd.DataFrame) -> Any:
+def _view(block: Block, members: Members, verdicts: pd.DataFrame) -> Any:
     """What the template needs to show `block`."""
+    results = members.results
     if block.figure is not None:
         return picture(results, block.figure)
     if block.table is not None:
@@ -72,23 +75,23 @@ def _view(block: Block, results: Path, verdicts: pd.DataFrame) -> Any:
     if block.claims is not None:
         return claim_rows(verdicts, block.claims)
     if block.runs is not None:
-        return _runs(block, results)
+        return _runs(block, members)
     if block.estimates is not None:
         return estimates(results / block.estimates)
     assert block.files is not None
-    return sorted(path.relative_to(results).as_posix() for path in results.glob(block.files))
+    return members.like(block.files)
 
 
-def _runs(block: Block, results: Path) -> tuple[list[str], list[list[str]]]:
+def _runs(block: Block, members: Members) -> tuple[list[str], list[list[str]]]:
     """Heads and rows of the catalogue that a block asks for."""
     keys = list(block.columns.values())
-    found = catalogue.select(catalogue.find([results]), block.runs or "", keys[:2])
+    found = catalogue.select(catalogue.find(members.datasets), block.runs or "", keys[:2])
     shown = catalogue.columns(found, keys)
     rows = [["–" if pd.isna(v) else short(str(v)) for v in row] for row in shown.to_numpy()]
     return list(block.columns), rows
 
 
-def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, results: Path) -> str:
+def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, members: Members) -> str:
     package = resources("squat.report")
     environment = jinja2.Environment(
         autoescape=True,
@@ -106,7 +109,8 @@ def _page(parts: list[tuple[Part, list[Chapter]]], verdicts: pd.DataFrame, resul
         parts=parts,
         rows={verdict: verdicts[verdicts["verdict"] == verdict] for verdict in VERDICTS},
         total=count(list(verdicts["verdict"])),
-        provenance=provenance(results),
+        provenance=provenance(members),
+        strangers=members.strangers,
         paper=paper,
         doi=doi,
         version=squat.__version__,

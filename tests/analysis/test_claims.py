@@ -214,8 +214,23 @@ def test_pressure_of_the_ends_is_the_mean_over_the_length_of_the_outer_tenths():
     )
     found = finding("pressure_ends", transients=(run,))
     told = re.match(r"lower by (\d+) Pa", str(found.here))
-    assert float(told.group(1)) == pytest.approx(1300, rel=2e-3)
+    assert float(told.group(1)) == pytest.approx(1300, rel=5e-4)  # whole Pa
     assert found.verdict == "match"
+
+
+@pytest.mark.parametrize(
+    ("fates", "verdict", "note"),
+    [
+        ({1: True, 2: True, 2.25: True, 2.5: False}, "match", ""),
+        ({1: True, 2: True, 2.25: True, 2.4: True, 2.5: False}, "match", ""),
+        ({1: True, 2: True, 2.25: False, 2.5: False}, "differs", ""),
+        ({1: True, 2: True, 2.3: True, 2.5: False}, "differs", "not run: 2.25 m/s"),
+    ],
+)
+def test_fates_are_those_at_the_currents_of_the_sentence(fates, verdict, note):
+    runs = (coupled(v, "completed" if stable else "grounded") for v, stable in fates.items())
+    found = finding("stable_speeds", transients=tuple(runs))
+    assert (found.verdict, found.note) == (verdict, note)
 
 
 @pytest.mark.parametrize("status", ["diverged", "iteration limit"])

@@ -196,13 +196,16 @@ def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):
     assert "piston.length" in kept.columns
 
 
-def test_jobs_that_failed_are_counted(runs, tmp_path, capsys):
+@pytest.mark.parametrize(
+    ("where", "said"), [("", ""), ("kind == 'piston'", ", whatever where= asks")]
+)
+def test_jobs_that_failed_are_counted(runs, tmp_path, capsys, where, said):
     shutil.copytree(runs, tmp_path / "runs")
     (tmp_path / "runs" / "bad").mkdir()
     (tmp_path / "runs" / "bad" / "failed.txt").write_text("refused\n")
-    case = CatalogueCase(runs=str(tmp_path / "runs"), where="", sort=(), columns=())
+    case = CatalogueCase(runs=str(tmp_path / "runs"), where=where, sort=(), columns=())
     write_catalogue(case, tmp_path / "all.parquet")
-    assert " runs, and 1 jobs that failed (failed.txt" in capsys.readouterr().out
+    assert f" runs; 1 job failed (failed.txt in their folders{said}); " in capsys.readouterr().out
 
 
 def test_parts_of_a_choice_are_printed_only_where_its_name_does_not_imply_them():

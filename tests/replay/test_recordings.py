@@ -11,6 +11,8 @@ import rerun_cli
 import squat as package
 from squat import records
 from squat.replay.panels import PANELS, Place, panel
+from squat.replay.recorder import Recorder
+from squat.replay.runs import Clock
 from squat.stability.equilibria import OneDimensionalModel
 from tests.replay.reading import NANOSECOND, one_each, reader_of, scalars
 
@@ -137,6 +139,27 @@ def test_a_run_that_fails_at_once_keeps_two_times_and_no_empty_rows(record, enti
     told = data["failed_residual"].values
     assert logarithm == pytest.approx(np.log10(told[told > 0]), abs=1e-3)
     assert "plots/iterations/iterations" not in found  # rerun's viewer fails on a chunk of none
+
+
+@pytest.mark.parametrize(
+    ("values", "how"),
+    [
+        ([1.0, 2.0, 3.0], {"widths"}),
+        ([np.nan, 2.0, 3.0], {"widths"}),
+        ([1.0, np.nan, 3.0], {"marker_sizes"}),
+        ([np.nan, 2.0, np.nan], {"marker_sizes"}),
+    ],
+)
+def test_no_line_is_drawn_through_steps_that_have_no_number(entities, tmp_path, values, how):
+    stream = rerun.RecordingStream("gaps")
+    stream.save(tmp_path / "gaps.rrd")
+    moments = np.arange(3.0)
+    Recorder(stream).series("line", Clock(moments, moments), np.array(values), "a", "#ffffff")
+    stream.flush()
+    stream.disconnect()
+    line = entities(tmp_path / "gaps.rrd")["line"]
+    assert how == line.rows.keys() & {"widths", "marker_sizes"}
+    assert scalars(line) == pytest.approx([value for value in values if np.isfinite(value)])
 
 
 def test_a_new_panel_is_a_function_and_a_list_of_variables(record, entities, ship, monkeypatch):

@@ -1,6 +1,7 @@
 """The report: whole, self-contained, complete, the same every time."""
 
 import re
+import shutil
 
 import numpy as np
 import pandas as pd
@@ -69,6 +70,21 @@ def results(tmp_path, report):
     run = api.run("transient", "mesh=coarse", "accuracy.near=0.4", "time.periods=0.03")
     run.to_netcdf(tmp_path / "run.nc", engine="h5netcdf")
     return tmp_path
+
+
+def test_runs_of_another_configuration_are_left_out_and_named(results, case):
+    """Those of a sweep that was changed stay in its folder."""
+    (results / "transient").mkdir()
+    for name in ("printed_2.25", "printed_2.3"):
+        shutil.copy(results / "run.nc", results / "transient" / f"{name}.nc")
+    members = f'members=["{results}/transient/printed_2.3.nc"]'
+    write_report(case("report", f'results="{results}"', members), results / "report.html")
+    text = (results / "report.html").read_text()
+    rows, told = text.split("Left out are 1 ")
+    assert "transient/printed_2.25.nc" not in rows
+    assert told.index("transient/printed_2.25.nc") < told.index("</p>")
+    for name in ("run.nc", "transient/printed_2.3.nc"):
+        assert f'<a href="{name}">' in told
 
 
 def test_the_page_is_whole_and_loads_nothing(results, report):

@@ -1,5 +1,6 @@
 # Recordings for the rerun viewer: of all runs, of the small ones one a kind.
-REPLAYED = [*TRANSIENTS, *AUDITED, *PITCHING, *PISTONS]
+RUN = [*TRANSIENTS, *AUDITED, *PITCHING, *PISTONS]
+REPLAYED = RUN
 if CASES != "paper":
     REPLAYED = [TRANSIENTS[0], PITCHING[0], PISTONS[0]]
 REPLAYS = [

@@ -28,6 +28,10 @@ rule report:
         f"{RESULTS}/benchmarks/report.tsv"
     params:
         results=RESULTS,
+        members=lambda wildcards: ",".join(
+            f'"{path}"'
+            for path in dict.fromkeys([*rules.iterations.output, *RUN, *REPLAYS])
+        ),
         config=configured("report"),
     shell:
-        "squat task=report 'results=\"{params.results}\"' 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=report 'results=\"{params.results}\"' 'members=[{params.members}]' 'out=\"{output}\"' > {log:q} 2>&1"
