@@ -35,7 +35,8 @@ def fig10(data: xr.Dataset) -> Figure:
     axes.set(xlim=(speed[0], speed[-1]), ylim=(low, -0.15 * bottom))
     axes.set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
     axes.set_ylabel("vertical position $w$ [m]")
-    axes.set_title(flattened(data), fontsize=9, loc="right")
+    box = "" if config["hull"]["shape"] == "rectangle" else "Eq. (27), of a box of this draft"
+    axes.set_title("; ".join(filter(None, [box, flattened(data)])), fontsize=9, loc="right")
     figure.legend(loc="outside upper center", ncols=3)
     return figure
 

@@ -34,6 +34,14 @@ def test_table_7_is_drawn_beside_its_own_ship_alone(case, draft, count):
     assert names.count("Table 7, printed") == count
 
 
+@pytest.mark.parametrize(("hull", "told"), [("rectangle", ""), ("lewis", "a box of this draft")])
+def test_roots_of_a_hull_that_is_no_box_are_told_to_be_of_a_box(case, hull, told):
+    keys = "equilibria", f"hull={hull}"
+    (axes,) = fig10(equilibria(case(*keys)).assign_attrs(config=json.dumps(compose(*keys)))).axes
+    assert axes.get_title(loc="right").endswith(told)
+    assert bool(axes.get_title(loc="right")) == bool(told)
+
+
 @pytest.fixture(scope="module")
 def survived(case):
     """The energies of the paper's ship, at currents of which it survives some."""
