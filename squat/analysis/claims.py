@@ -14,6 +14,10 @@ from squat.coupling.amplification import limit_mass_ratio
 from squat.dynamics import INTEGRATORS, IntegratorName
 
 
+class NotRunError(LookupError):
+    """What a sentence is about is not among the datasets."""
+
+
 class Sources(NamedTuple):
     """The datasets that claims are checked against."""
 

@@ -3,7 +3,10 @@
 import numpy as np
 import xarray as xr
 
-from squat.analysis.claims import Finding, Sources, claim, holds
+from squat.analysis.claims import Finding, NotRunError, Sources, claim, holds
+
+STOPPED = ("diverged", "iteration limit")
+"""How runs end whose coupling failed."""
 
 
 def _solves(run: xr.Dataset) -> float:
@@ -17,7 +20,10 @@ def _factor(run: xr.Dataset) -> float:
 
 
 def _freed(sources: Sources, coupling: str) -> xr.Dataset:
-    return next(run for run in sources.pitching if run.attrs["coupling"] == coupling)
+    for run in sources.pitching:
+        if run.attrs["coupling"] == coupling:
+            return run
+    raise NotRunError(f"coupling={coupling} in heave and pitch")
 
 
 def _plunge(run: xr.Dataset) -> str:
@@ -28,7 +34,7 @@ def _plunge(run: xr.Dataset) -> str:
     return (
         f"set free {start:.2g} degrees bow down at {float(run.attrs['current']):g} m/s, the ship "
         f"of the printed scheme trims by the {'bow' if most > 0 else 'stern'} as it sinks, by "
-        f"{greatest:.1f} degrees at most"
+        f"{greatest:.1f} degrees up to its lowest point ({run.attrs['status']})"
     )
 
 
@@ -53,13 +59,14 @@ def _(sources: Sources) -> Finding:
     run = _freed(sources, "printed")
     current = float(run.attrs["current"])
     alone = sources.run("printed", current)
+    # A ship that is lost for its speed was coupled all the way.
     text = f"heave and pitch: {run.attrs['status']}, {_solves(run):.1f} solves a step"
     note = f"at {current:g} m/s, with the matrix m_add, greatest predicted |G| "
     note += f"{_factor(run):.2f}"
     if alone is not None:
         note += f"; heave alone: {_solves(alone):.1f} and {_factor(alone):.2f}"
     note += ". Roll turns out of this plane"
-    return Finding(text, note, holds(run.attrs["status"] == "completed"))
+    return Finding(text, note, holds(run.attrs["status"] not in STOPPED))
 
 
 @claim("refreshed_matrix")

@@ -9,7 +9,7 @@ import xarray as xr
 from squat import published
 from squat.analysis import balances
 from squat.analysis.claims import Finding, Sources, claim, holds
-from squat.analysis.verdict import INCONSISTENT
+from squat.analysis.verdict import INCONSISTENT, NOT_RUN
 from squat.quantities import Vector
 
 
@@ -149,7 +149,7 @@ def _(sources: Sources) -> Finding:
     note = f"not run: {', '.join(missing)} m/s" if missing else ""
     expected = dict.fromkeys(stable, True) | {lost: False}
     agrees = all(run_at[current] == fate for current, fate in expected.items() if current in run_at)
-    return Finding(here, note, holds(agrees and not missing))
+    return Finding(here, note, NOT_RUN if agrees and missing else holds(agrees))
 
 
 def _printed_currents() -> list[float]:

@@ -4,10 +4,12 @@ import math
 from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
 from typing import Literal
 
-Verdict = Literal["match", "differs", "paper inconsistent"]
+Verdict = Literal["match", "differs", "paper inconsistent", "not run"]
 MATCH: Verdict = "match"
 DIFFERS: Verdict = "differs"
 INCONSISTENT: Verdict = "paper inconsistent"
+NOT_RUN: Verdict = "not run"
+"""Of a sentence about cases that are not all there, where those that are do not refute it."""
 FEW_DIGITS = "a match by the few digits printed"
 """In the note of a match that says little."""
 

@@ -14,9 +14,9 @@ from squat.analysis import (  # noqa: F401  (register their checks)
     stability_claims,
     transient_claims,
 )
-from squat.analysis.claims import CHECKS, Finding, Sources
+from squat.analysis.claims import CHECKS, Check, Finding, Sources
 from squat.analysis.tables import TABLES
-from squat.analysis.verdict import Verdict, judge
+from squat.analysis.verdict import NOT_RUN, Verdict, judge
 from squat.errors import InputError
 from squat.quantities import STRICT
 from squat.records.added_mass_kinds import ADDED_MASS, INERTIA
@@ -93,7 +93,7 @@ def claim_rows(sources: Sources) -> list[dict[str, Any]]:
     """Rows of the list from the paper's sentences."""
     rows = []
     for name, sentence in published.claims().iterrows():
-        found = CHECKS[str(name)](sources)
+        found = _found(CHECKS[str(name)], sources)
         here = found.here if isinstance(found.here, str) else f"{found.here:.12g}"
         rows.append(
             {
@@ -104,6 +104,14 @@ def claim_rows(sources: Sources) -> list[dict[str, Any]]:
             }
         )
     return rows
+
+
+def _found(check: Check, sources: Sources) -> Finding:
+    """What the check finds, also where the cases that it looks up were not run."""
+    try:
+        return check(sources)
+    except LookupError:
+        return Finding("-", "the cases that it is about are not all there", NOT_RUN)
 
 
 def _verdict(paper: str, found: Finding) -> Verdict:

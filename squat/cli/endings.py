@@ -15,11 +15,18 @@ def ending(dataset: xr.Dataset, case: Any) -> str:
     said = [f"status {status}"] if status else []
     if kind == "transient":
         said = [f"status {resolve_name('squat.transient.ending:told')(dataset, case)}"]
+    elif kind == "piston":
+        said = [f"status {status}{_piston(dataset)}"]
     elif kind == "added_mass":
         said = [_added_mass(dataset)]
     elif kind == "mesh":
         said = [_mesh(dataset)]
     return "".join(f", {words}" for words in said) + (f"\n{summary}" if summary else "")
+
+
+def _piston(dataset: xr.Dataset) -> str:
+    solves = dataset["iterations"].values[1:]
+    return f", {solves.mean():.4g} iterations a step" if solves.size else ""
 
 
 def _mesh(dataset: xr.Dataset) -> str:

@@ -6,12 +6,12 @@ from typing import Any, NamedTuple
 import pandas as pd
 
 from squat import published
-from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH
+from squat.analysis.verdict import DIFFERS, INCONSISTENT, MATCH, NOT_RUN
 from squat.errors import InputError
 from squat.report.contents import Block
 from squat.report.tables import Grid
 
-VERDICTS = (MATCH, DIFFERS, INCONSISTENT)
+VERDICTS = (MATCH, DIFFERS, INCONSISTENT, NOT_RUN)
 Row = dict[str, Any]
 
 
@@ -21,6 +21,7 @@ class Count(NamedTuple):
     match: int
     differs: int
     inconsistent: int
+    not_run: int
 
 
 def count(verdicts: list[str]) -> Count:

@@ -15,7 +15,7 @@ from squat.analysis.claims import CHECKS, Sources
 from squat.analysis.inertia_tables import _by_mesh, bounded_away, table5_critical
 from squat.analysis.lookup import Here
 from squat.analysis.tables import _coarse, _rounding
-from squat.analysis.verdicts import table_rows
+from squat.analysis.verdicts import _found, table_rows
 from squat.errors import InputError
 from squat.stability.run import run as equilibria
 
@@ -44,11 +44,11 @@ def finding(claim, **sources):
 
 @pytest.mark.parametrize(
     ("highest", "verdict"),
-    [((1.2, 5.0), "match"), ((1.2, 1.0), "differs"), ((4.0, 5.0), "differs")],
+    [((1.25, 5.0), "match"), ((1.25, 1.0), "differs"), ((4.0, 5.0), "differs")],
 )
 def test_highest_coefficient_is_sought_at_the_corner_of_the_table(highest, verdict):
     cells = [
-        ("depth", h, a, 9.0 if (h, a) == highest else 1.0) for h in (1.2, 4.0) for a in (1.0, 5.0)
+        ("depth", h, a, 9.0 if (h, a) == highest else 1.0) for h in (1.25, 4.0) for a in (1.0, 5.0)
     ]
     assert finding("highest", table5=inertia(*cells)).verdict == verdict
 
@@ -56,19 +56,45 @@ def test_highest_coefficient_is_sought_at_the_corner_of_the_table(highest, verdi
 def test_lighter_water_than_ship_is_counted_by_the_critical_coefficient():
     """i = 2/(pi a/T) is an added mass as large as the ship's."""
     cells = [
-        ("depth", h, 2.0, share / math.pi) for h, share in ((1.2, 1.01), (2.0, 0.99), (4.0, 0.98))
+        ("depth", h, 2.0, share / math.pi) for h, share in ((1.25, 1.01), (2.0, 0.99), (4.0, 0.98))
     ]
     table = inertia(*cells, ("draft", 6.0, 2.0, 0.1), ("depth", 1.1, 9.0, 0.001))
     found = table5_critical(table)({"a_over_T": "2"})
     assert found.value == pytest.approx(1 / math.pi)
     assert found.columns["met"] == "from H/T = 2 on"
     assert found.note == "m_add <= m from H/T = 2 on in this row"
-    assert "3 of 4" in str(finding("rarely_satisfied", table5=table))
-    heavy = [("depth", h, 2.0, 1.0) for h in (1.5, 2.5, 3.5, 4.5)]
-    for light, verdict in ((0.1, "differs"), (0.9, "match")):
-        rows = inertia(("depth", 6.0, 2.0, light), *heavy)
-        assert finding("rarely_satisfied", table5=rows).verdict == verdict
     assert math.isnan(table5_critical(table)({"a_over_T": "3"}).value)
+
+
+def test_only_printed_cells_of_table_5_are_counted():
+    printed = [
+        (float(cell.keys["depth_over_draft"]), float(cell.keys["a_over_T"]))
+        for cell in published.table("table5")
+    ]
+    for light, rarely, always in (
+        (0, "match", "differs"),
+        (12, "match", "paper inconsistent"),
+        (13, "differs", "paper inconsistent"),
+    ):
+        cells = [
+            ("depth", h, a, (0.9 if n < light else 1.1) * 2 / (math.pi * a))
+            for n, (h, a) in enumerate(printed)
+        ]
+        more = [("depth", 8.0, 0.5, 0.1), ("draft", *printed[-1], 0.1)]
+        for missing in (0, 1):
+            table = inertia(*cells[: len(cells) - missing], *more)
+            rare = finding("rarely_satisfied", table5=table)
+            assert f"{light} of {63 - missing} cells" in str(rare.here)
+            assert rare.verdict == ("not run" if missing else rarely)
+            unless = "not run" if missing and not light else always
+            assert finding("exceeds_mass", table5=table).verdict == unless
+
+
+def test_a_sentence_whose_cases_are_not_there_is_not_run():
+    for name, check in CHECKS.items():
+        if name in ("new_freedoms", "refreshed_matrix", "pressure_ends"):
+            found = _found(check, NOTHING)
+            assert found.verdict == "not run", name
 
 
 def test_the_last_cell_lost_is_named():
@@ -224,7 +250,8 @@ def test_pressure_of_the_ends_is_the_mean_over_the_length_of_the_outer_tenths():
         ({1: True, 2: True, 2.25: True, 2.5: False}, "match", ""),
         ({1: True, 2: True, 2.25: True, 2.4: True, 2.5: False}, "match", ""),
         ({1: True, 2: True, 2.25: False, 2.5: False}, "differs", ""),
-        ({1: True, 2: True, 2.3: True, 2.5: False}, "differs", "not run: 2.25 m/s"),
+        ({1: True, 2: True, 2.3: True, 2.5: False}, "not run", "not run: 2.25 m/s"),
+        ({1: True, 2: False, 2.5: False}, "differs", "not run: 2.25 m/s"),
     ],
 )
 def test_fates_are_those_at_the_currents_of_the_sentence(fates, verdict, note):
@@ -258,7 +285,10 @@ def test_what_pitch_costs_is_a_share_of_the_limit_of_heave_alone(safe, verdict):
     motion = {"heave": ("time", [0.0, -1.0, -2.0, 1.0]), "pitch": ("time", [0.01, -0.1, -0.2, 0.9])}
     data = xr.Dataset(numbers | {"saddle_pitch": -math.pi / 18})
     found = finding("one_freedom", trim=data, pitching=(coupled(2.25, **motion),))
-    assert "trims by the stern as it sinks, by 11.5 degrees at most" in found.note
+    assert (
+        "trims by the stern as it sinks, by 11.5 degrees up to its lowest point (completed)"
+        in found.note
+    )
     assert f"costs {50 * (2 - safe):.1f} %" in str(found.here)
     assert "10 degrees" in found.note
     assert found.verdict == verdict
@@ -276,8 +306,9 @@ def test_a_new_freedom_is_judged_by_how_its_run_ends_beside_the_one_without_it()
     assert good.here == "heave and pitch: completed, 10.0 solves a step"
     assert "heave alone: 5.0 and 0.30" in good.note
     assert good.verdict == "match"
-    lost = pitching("printed", [9, 11], "diverged")
-    assert finding("new_freedoms", pitching=(lost,)).verdict == "differs"
+    for status, verdict in (("diverged", "differs"), ("overtrimmed", "match")):
+        lost = pitching("printed", [9, 11], status)
+        assert finding("new_freedoms", pitching=(lost,)).verdict == verdict
 
 
 @pytest.mark.parametrize(("fresh", "verdict"), [([5, 7], "match"), ([15, 7], "differs")])
