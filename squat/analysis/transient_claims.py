@@ -73,10 +73,10 @@ def _(sources: Sources) -> Finding:
     keel = run["hull_z"].values <= float(run["hull_z"].min()) + 1e-9
     x, p = run["hull_x"].values[keel], run["hull_pressure"].values[-1, keel]
     order = np.argsort(x)
-    bow, *inner, stern = x.min() + np.array([0, 0.1, 0.25, 0.75, 0.9, 1]) * np.ptp(x)
+    bow, length = float(x.min()), float(np.ptp(x))
     fore, middle, aft = (
-        mean(x[order], p[order], *ends)
-        for ends in ((bow, inner[0]), (inner[1], inner[2]), (inner[3], stern))
+        mean(x[order], p[order], bow + begin * length, bow + end * length)
+        for begin, end in ((0, 1 / 10), (1 / 4, 3 / 4), (9 / 10, 1))
     )
     drop = middle - (fore + aft) / 2
     text = f"lower by {drop:.0f} Pa over the outer tenths than over the middle half"

@@ -15,6 +15,7 @@ from squat.catalogue.headlines import headline
 from squat.errors import InputError
 from squat.records.files import quiet
 from squat.records.intact import intact
+from squat.sweeps import FAILED
 
 RESULT = "result."
 """What the names of headline figures begin with."""
@@ -51,6 +52,8 @@ def _nothing(places: Sequence[Path], broken: Mapping[Path, str]) -> str:
     """Why `places` hold no run, and the remedy."""
     names = ", ".join(map(str, places))
     path, error = next(iter(broken.items()), (None, ""))
+    if failed := sum(1 for place in places for _ in place.rglob(FAILED)):
+        return f"runs={names}: holds no run, {failed} jobs failed ({FAILED} in their folders)"
     if path is None:
         return f"runs={names}: holds no run; give a folder with files of squat"
     if path in places:

@@ -61,7 +61,7 @@ def _equilibria(
         axes.plot(*filled(speed, values), "-.", label=f"{branch}, stability not recorded", **look)
         return
     drawn = set()
-    for count, part in _stretches(data[f"{prefix}unstable"].values):
+    for count, part in _stretches(_with_fold(data[f"{prefix}unstable"].values, speed)):
         for half in _from_fastest(*filled(speed[part], values[part])):
             short = np.ptp(half[0]) < _SHORTEST * float(data["squat_speed"])
             label = None if short or count in drawn else f"{branch}, {_STABILITY[count]}"
@@ -86,6 +86,12 @@ def _from_fastest(speed: Vector, values: Vector) -> Iterator[tuple[Vector, Vecto
     for half in (slice(top, None), slice(top, None, -1)):
         if len(speed[half]) > 1:
             yield speed[half], values[half]
+
+
+def _with_fold(counts: Vector, speed: Vector) -> Vector:
+    """The counts, that of the fold as on the way to it: one more direction is unstable beyond."""
+    fold = int(speed.argmax())
+    return np.where(np.arange(len(counts)) == fold, counts[max(fold - 1, 0)], counts)
 
 
 def _stretches(counts: Vector) -> Iterator[tuple[int, slice]]:

@@ -15,6 +15,7 @@ from squat.stability.keel import breaks, keel_pressure, underside
 
 _SEEN = (0.05, 0.95)  # shares of the 2D values that the axes hold: corners are singular
 _WIDE = 5.0  # pixels of the 1D line, which shows beside a 2D one that lies upon it
+_BEYOND = 2.0  # spans of those: up to so many all values are shown
 _FAR = 5.0  # 1D values over this many spans of those would hide them
 
 
@@ -47,7 +48,7 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     """Dynamic pressure along the keel, beside the uniform one of Eq. (27)."""
     fields, uniform = [dynamic_pressure(run) for run in runs], [uniform_pressure(r) for r in runs]
     x = [run.data["hull_x"].values[keel(run)] for run in runs]
-    seen = [0.0, *np.ravel([np.quantile(field, _SEEN) for field in fields])]
+    seen = [0.0, *np.ravel([_ends(field) for field in fields])]
     chart = Chart(
         "keel_pressure",
         "Pressure under the keel",
@@ -69,6 +70,12 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
         chart.curve(recorder, run, "one_dimensional", run.steps, flat, shade, _WIDE, under=True)
         chart.curve(recorder, run, "two_dimensional", run.steps, lines, color if several else SKY)
     return [chart.view(recorder, runs)]
+
+
+def _ends(field: Vector) -> Vector:
+    """Least and greatest value, or those of the bulk where corners, or a fall, go far beyond."""
+    ends, bulk = np.quantile(field, (0, 1)), np.quantile(field, _SEEN)
+    return ends if np.ptp(ends) <= _BEYOND * np.ptp(bulk) else bulk
 
 
 def _levels(levels: Vector, span: float) -> Vector:

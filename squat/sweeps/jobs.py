@@ -1,7 +1,7 @@
 """The jobs of a multirun, as its folder shows them: done, failed, missing."""
 
 import json
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -97,12 +97,19 @@ def find(folder: Path, compose: Compose, chosen: Container[Path] | None = None) 
         found |= _without(folder, plan, compose, found)
     whole = [job.config for job in found.values() if job.dataset is not None]
     if not whole:
-        raise InputError(f"runs={folder}: holds no dataset; give the folder of a multirun")
+        raise InputError(f"runs={folder}: holds no dataset; {_remedy(found.values())}")
     jobs = [
         replace(job, config=_filled(job.config, whole[0])) if job.refused else job
         for job in found.values()
     ]
     return sorted(jobs, key=lambda job: (order.get(job.name, len(order)), job.name))
+
+
+def _remedy(jobs: Iterable[Job]) -> str:
+    lost = [job.failure for job in jobs if job.status == "failed"]
+    if not lost:
+        return "give the folder of a multirun"
+    return f"all jobs failed ({FAILED} in their folders: {lost[0]}); mend them and sweep again"
 
 
 def _without(

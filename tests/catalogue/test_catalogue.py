@@ -196,6 +196,15 @@ def test_the_command_prints_and_keeps_the_table(runs, squat, tmp_path):
     assert "piston.length" in kept.columns
 
 
+def test_a_sweep_that_failed_as_a_whole_is_said_to_have(tmp_path):
+    with pytest.raises(InputError, match="holds no run; give"):
+        find([tmp_path])
+    (tmp_path / "bad").mkdir()
+    (tmp_path / "bad" / "failed.txt").write_text("refused\n")
+    with pytest.raises(InputError, match=r"holds no run, 1 jobs failed \(failed.txt"):
+        find([tmp_path])
+
+
 @pytest.mark.parametrize(
     ("where", "said"), [("", ""), ("kind == 'piston'", ", whatever where= asks")]
 )

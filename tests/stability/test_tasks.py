@@ -294,6 +294,12 @@ def test_where_there_is_no_equilibrium_the_gap_is_that_at_rest(case):
     assert found.endswith("of the gap at rest")
 
 
+@pytest.mark.parametrize(("hull", "told"), [("rectangle", False), ("lewis", True), ("curve", True)])
+def test_what_chords_leave_out_is_minded_where_there_are_any(case, hull, told):
+    found = warnings_of(case("limits", *QUICK, f"hull={hull}"), clearance=9.0)
+    assert any("hull.segments=" in text for text in found) == told
+
+
 def test_a_short_ship_with_much_water_below_is_not_warned_of_viscosity(case):
     found = warnings_of(case("limits", *QUICK, "hull.length=10.0"), clearance=10.0)
     assert not any("no viscosity" in text for text in found)

@@ -203,8 +203,13 @@ def test_cells_that_nobody_planned_are_named_by_their_parameters(job, joined):
 
 
 def test_what_cannot_be_joined_is_one_line(job, joined, tmp_path):
-    with pytest.raises(InputError, match="holds no dataset"):
+    with pytest.raises(InputError, match="holds no dataset; give the folder"):
         joined()
+    (tmp_path / "lost").mkdir()
+    (tmp_path / "lost" / FAILED).write_text("current=-1: must be positive\ntrace\n")
+    with pytest.raises(InputError, match=r"all jobs failed .*: current=-1: must be positive\)"):
+        joined()
+    (tmp_path / "lost" / FAILED).unlink()
     job("a", SHORT)
     job("b", SHORT)
     with pytest.raises(InputError, match="a and b have the same parameters"):

@@ -12,6 +12,7 @@ from scipy.optimize import root
 from squat.config import compose, validate
 from squat.dynamics.energy_momentum import Phase, advance
 from squat.errors import InputError
+from squat.figures.trim import _with_fold
 from squat.figures.trim import trim as draw
 from squat.mesh import PositionError
 from squat.stability.sampled import Sampled
@@ -294,6 +295,12 @@ def test_the_picture_calls_stable_what_the_dataset_counts_as_such(recorded):
     assert len(labels) == len(set(labels))
     assert {"from rest, stable", "through the lowest pass, stable"} <= set(labels)
     assert not any("level" in label or "trimmed" in label for label in labels)
+
+
+def test_a_branch_is_stable_up_to_its_fold():
+    speed = np.array([0.0, 1.0, 1.2, 1.1, 0.9])
+    assert list(_with_fold(np.array([0, 0, 1, 1, 1]), speed)) == [0, 0, 0, 1, 1]
+    assert list(_with_fold(np.array([1, 1, 1]), speed[2:])) == [1, 1, 1]
 
 
 def test_an_older_file_that_counts_nothing_on_the_second_branch_claims_nothing(recorded):
