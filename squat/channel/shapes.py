@@ -11,6 +11,18 @@ from squat.errors import InputError
 from squat.quantities import STRICT, Fraction, Length, Vector
 
 
+def swelled(chain: Vector) -> Vector:
+    """Points (n, 2) of a smooth curve moved out of it, so that their chords enclose what it does.
+
+    Chords stray by s = |p''| dt^2/8 to one side, by 2/3 of that in the mean: so far goes a point,
+    as (p_i - (p_{i-1} + p_{i+1})/2)/6, but not beyond the ends and the lowest point, by which the
+    section has its length and draft.
+    """
+    moved = chain.copy()
+    moved[1:-1] += (chain[1:-1] - (chain[:-2] + chain[2:]) / 2) / 6
+    return np.clip(moved, chain.min(axis=0), chain.max(axis=0))
+
+
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class Rectangle(Hull):
     """The paper's box (Fig. 8)."""
@@ -59,11 +71,15 @@ class HalfEllipse(WalledHull):
     shape: Literal["half_ellipse"] = "half_ellipse"
     segments: Segments
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _even(self.segments)
+
     def section(self) -> Vector:
         """See `Hull.section`."""
         t = half_turn(self.segments)
         ellipse = [self.length / 2 * (1 + np.cos(t)), self.depth * np.sin(t)]
-        return self.below(np.stack(ellipse, axis=1))
+        return self.below(swelled(np.stack(ellipse, axis=1)))
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -110,7 +126,7 @@ class RoundedBox(Hull):
         L, T, r, n = self.length, self.draft, self.radius, self.segments
         bow = arc((r, r - T), r, math.pi, 1.5 * math.pi, n)
         stern = arc((L - r, r - T), r, 1.5 * math.pi, 2 * math.pi, n)
-        return np.concatenate([[(0.0, 0.0)], bow, stern, [(L, 0.0)]])
+        return np.concatenate([[(0.0, 0.0)], swelled(bow), swelled(stern), [(L, 0.0)]])
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -134,6 +150,7 @@ class Lewis(WalledHull):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        _even(self.segments)
         least, greatest = self.fullness
         if not least <= self.area_coefficient <= greatest:
             raise InputError(
@@ -149,7 +166,7 @@ class Lewis(WalledHull):
         t = half_turn(self.segments) - 1.5 * math.pi  # 0 at the keel
         x = M * ((1 + a1) * np.sin(t) - a3 * np.sin(3 * t))
         depth = M * ((1 - a1) * np.cos(t) + a3 * np.cos(3 * t))
-        return self.below(np.stack([x + self.length / 2, -depth], axis=1))
+        return self.below(swelled(np.stack([x + self.length / 2, -depth], axis=1)))
 
     def coefficients(self) -> tuple[float, float]:
         """a1 and a3."""
@@ -180,6 +197,12 @@ class Lewis(WalledHull):
         """Area coefficient that goes with `a3`."""
         a1 = self._skew * (1 + a3)
         return math.pi / 4 * (1 - a1**2 - 3 * a3**2) / ((1 + a3) ** 2 - a1**2)
+
+
+def _even(segments: int) -> None:
+    """InputError unless two of the chords meet at the keel, as deep as the draft."""
+    if segments % 2:
+        raise InputError(f"hull.segments={segments}: must be even here; give {segments + 1}")
 
 
 def _fits(key: str, size: float, hull: Hull) -> None:

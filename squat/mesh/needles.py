@@ -17,8 +17,8 @@ def told(mesh: Mesh) -> Mesh:
     if needles:
         _log.warning(
             "mesh: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
-            "hull are close or nearly in line; give fewer hull.segments=, or hull.points= further "
-            "apart",
+            "hull are close or nearly in line; numbers hardly suffer; half as many hull.segments=, "
+            "or hull.points= further apart, avoid them",
             found.min(),
             needles,
             len(found),

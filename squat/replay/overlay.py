@@ -185,7 +185,7 @@ def _differing(plot: Plot) -> Draw:
         for run in others:
             for curve in _varying(plot, run):
                 clock, values = difference(first, run, curve)
-                if len(values) < 2:  # the start alone is no common time
+                if len(values) < 2:  # the start alone is no common step
                     continue
                 name = _name(plot, curve, run)
                 shown.append((name, values))
@@ -203,10 +203,10 @@ def _titled(plot: Plot, first: Run, others: list[Run], any_told: bool) -> str:
     """Title of differences, with what is missing."""
     apart = [run.label for run in others if min(len(run.steps.time), len(first.steps.time)) < 2]
     if len(apart) == len(others):
-        return f"Δ {plot.title}: no common time"
+        return f"Δ {plot.title}: no common step"
     if not any_told:
         return f"Δ {plot.title}: none in common"
-    missing = f"; no common time with {', '.join(apart)}" if apart else ""
+    missing = f"; no common step with {', '.join(apart)}" if apart else ""
     return f"Δ {plot.title}, less {first.label}{missing}"
 
 

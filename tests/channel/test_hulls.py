@@ -42,9 +42,9 @@ def test_any_hull_is_one_config_line_with_its_length_and_draft(name):
         ("rectangle", 400, 1e-14),
         ("v", 40 + 9 * 40 / 2, 1e-14),
         ("chamfered_box", 400 - 4, 1e-14),
-        ("rounded_box", 400 - 2 * (1 - math.pi / 4) * 9, 2e-3),
-        ("half_ellipse", 40 + math.pi / 4 * 40 * 9, 3e-3),
-        ("lewis", 40 + 0.9 * 40 * 9, 6e-3),
+        ("rounded_box", 400 - 2 * (1 - math.pi / 4) * 9, 1e-5),
+        ("half_ellipse", 40 + math.pi / 4 * 40 * 9, 5e-5),
+        ("lewis", 40 + 0.9 * 40 * 9, 2e-4),
     ],
 )
 def test_area_agrees_with_the_closed_form_but_for_the_chords(name, area, tolerance):
@@ -67,7 +67,7 @@ def test_a_lewis_form_stays_within_its_box_and_turns_nowhere_back(length, draft,
     x, z = lewis(length, draft, coefficient).outline.vertices.T
     keel = z.argmin()
     assert z[keel] == pytest.approx(-draft, rel=1e-12)
-    assert x[keel] == pytest.approx(length / 2, abs=1e-3 * length)  # flat there when full
+    assert x[keel] == pytest.approx(length / 2, abs=5e-3 * length)  # flat there when full
     assert np.all(np.diff(z[: keel + 1]) <= 1e-12)
     assert np.all(np.diff(x) >= -1e-12)
 
@@ -105,11 +105,14 @@ def test_an_area_that_no_length_gives_is_refused_by_name():
         stretched(hull("rounded_box"), 3.0)
 
 
-def test_chords_converge_to_the_ellipse_with_second_order():
+def test_chords_enclose_the_ellipse_with_third_order():
+    """Points are moved out by what chords stray inwards, all but three: ends and keel."""
     shape = {"length": 40.0, "draft": 10.0, "wall": 1.0}
     exact = 40 + math.pi / 4 * 40 * 9
-    errors = [exact - HalfEllipse(**shape, segments=n).outline.area for n in (20, 40, 80)]
-    assert np.log2(errors[:-1] / np.array(errors[1:])) == pytest.approx([2, 2], abs=0.01)
+    outlines = [HalfEllipse(**shape, segments=n).outline for n in (20, 40, 80, 160)]
+    errors = np.array([exact - outline.area for outline in outlines])
+    assert np.log2(errors[:-1] / errors[1:]) == pytest.approx([3, 3, 3], abs=0.05)
+    assert {(outline.length, outline.draft) for outline in outlines} == {(40.0, 10.0)}
 
 
 def test_pitch_turns_about_waterline_or_centroid():
@@ -297,6 +300,7 @@ def test_curve_with_coinciding_points_is_refused_by_name():
         (["hull=v", "hull.wall=10.0"], "hull.wall=10: must be less than hull.draft=10"),
         (["hull=rounded_box", "hull.radius=11.0"], "hull.radius=11: must be less"),
         (["hull=lewis", "hull.segments=2"], "hull.segments=2"),
+        (["hull=half_ellipse", "hull.segments=25"], "hull.segments=25: must be even here; give 26"),
         (
             ["hull=lewis", "hull.length=140", "hull.draft=8"],
             "hull.area_coefficient=0.9: must be within 0.5596 and 0.8909 for a Lewis form",

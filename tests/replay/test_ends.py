@@ -64,12 +64,12 @@ def test_pictures_say_how_and_when_runs_ended(lost, tube):
 
 def test_differences_from_a_run_without_a_step_say_why_they_are_empty(lost, tube):
     draw = PANELS["iterations differences"].draw
-    assert names(draw, lost, tube) == ["Δ Iterations of a step: no common time"]
-    assert names(draw, tube, lost) == ["Δ Iterations of a step: no common time"]
+    assert names(draw, lost, tube) == ["Δ Iterations of a step: no common step"]
+    assert names(draw, tube, lost) == ["Δ Iterations of a step: no common step"]
 
 
 def test_of_several_runs_the_one_without_a_step_is_named(lost, tube, tmp_path):
     copy = tmp_path / "copy.nc"
     copy.write_bytes(tube.read_bytes())
     (title,) = names(PANELS["iterations differences"].draw, tube, copy, lost)
-    assert title == "Δ Iterations of a step, less tube; no common time with lost"
+    assert title == "Δ Iterations of a step, less tube; no common step with lost"
