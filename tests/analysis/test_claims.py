@@ -10,12 +10,13 @@ import pytest
 import xarray as xr
 
 from squat import published, records
-from squat.analysis import TableCase, piston_tables, write_table
+from squat.analysis import TableCase, piston_tables, verdicts, write_table
 from squat.analysis.claims import CHECKS, Sources
 from squat.analysis.inertia_tables import _by_mesh, bounded_away, table5_critical
 from squat.analysis.lookup import Here
 from squat.analysis.tables import _coarse, _rounding
-from squat.analysis.verdicts import _found, table_rows
+from squat.analysis.transient_claims import period
+from squat.analysis.verdicts import COLUMNS, VerdictsCase, _found, table_rows, write_verdicts
 from squat.errors import InputError
 from squat.stability.run import run as equilibria
 
@@ -170,14 +171,53 @@ def test_a_print_that_is_ours_cut_off_or_rounded_is_told(printed, here, note):
     assert _rounding(printed, here) == note
 
 
-def test_how_far_below_wendel_we_are_is_told_with_the_cells():
+def beside_wendel(share):
+    """A Table 4 whose cells of finite depth are that `share` of Wendel's."""
     printed = {key["depth_over_draft"]: float(text) for key, text in WENDEL}
-    cells = [("depth", float(h), 1.0, value / 1.02) for h, value in printed.items() if h != "inf"]
+    cells = [("depth", float(h), 1.0, value * share) for h, value in printed.items() if h != "inf"]
     rows = inertia(*cells, ("deep", np.inf, 1.0, 0.76))
     errors = {f"inertia_coefficient_{name}": 0 * rows["inertia_coefficient"] for name in ERRORS}
-    found = finding("underestimates", table4=rows.assign(errors))
+    return rows.assign(errors)
+
+
+def test_how_far_below_wendel_we_are_is_told_with_the_cells():
+    found = finding("underestimates", table4=beside_wendel(0.98))
     assert found.here == "below Wendel's in 5 of 5 cells of finite depth, by 2.0% to 2.0%"
     assert found.verdict == "match"
+
+
+@pytest.mark.parametrize(
+    ("share", "verdict"), [(0.98, "match"), (1.02, "match"), (0.96, "differs")]
+)
+def test_very_good_agreement_is_within_three_percent_of_wendels(share, verdict):
+    found = finding("very_good_agreement", table4=beside_wendel(share))
+    assert found.verdict == verdict
+    assert f"{100 * abs(share - 1):.1f} % of Wendel's" in str(found.here)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "verdict"), [(0.99, "differs"), (1.0, "differs"), (1.01, "match")]
+)
+def test_a_period_is_longer_where_it_exceeds_the_linear_one(ratio, verdict):
+    time = np.linspace(0, 20, 401)
+    run = coupled(1.0, time=("time", time), heave=("time", np.cos(time)))
+    linear = period(run) / ratio
+    run = run.assign(omega=2 * np.pi / linear, fluid_inertia=("time", 0 * time), ship_mass=1.0)
+    assert 2 * np.pi / float(run["omega"]) == linear
+    assert finding("longer_period", transients=(run,)).verdict == verdict
+
+
+def test_the_list_has_the_cells_of_all_tables_and_the_sentences(tmp_path, monkeypatch):
+    monkeypatch.setattr(verdicts.records, "read", lambda *_: None)
+    for name in ("table_rows", "claim_rows"):
+        monkeypatch.setattr(
+            verdicts, name, lambda source, name=name: [dict.fromkeys(COLUMNS, name)]
+        )
+    sources = dict.fromkeys(VerdictsCase.__dataclass_fields__, "x")
+    sources |= dict.fromkeys(("tables", "transients", "pitching"), ("x", "x"))
+    write_verdicts(VerdictsCase(**sources), tmp_path / "verdicts.csv")
+    listed = pd.read_csv(tmp_path / "verdicts.csv")["claim"]
+    assert list(listed) == ["table_rows", "table_rows", "claim_rows"]
 
 
 @pytest.mark.parametrize(("here", "proven"), [(0.86, True), (0.8645, False), (0.87, False)])
@@ -304,7 +344,7 @@ def test_a_new_freedom_is_judged_by_how_its_run_ends_beside_the_one_without_it()
     alone = (pitching("printed", [4, 6]),)
     good = finding("new_freedoms", pitching=(pitching("printed", [9, 11]),), transients=alone)
     assert good.here == "heave and pitch: completed, 10.0 solves a step"
-    assert "heave alone: 5.0 and 0.30" in good.note
+    assert "greatest predicted |G| 0.30; heave alone: 5.0 and 0.30" in good.note
     assert good.verdict == "match"
     for status, verdict in (("diverged", "differs"), ("overtrimmed", "match")):
         lost = pitching("printed", [9, 11], status)
