@@ -104,7 +104,7 @@ def _coarse(text: str, here: Here, apart: float) -> str:
     """That a match says little, where the print has so few digits."""
     if here.rounds_down or not math.isfinite(apart) or abs(apart) <= _TELLING * abs(here.value):
         return ""
-    return f"{FEW_DIGITS}, {abs(apart / here.value):.0%} apart"
+    return f"{FEW_DIGITS}, {abs(apart / here.value):.0%} of ours apart"
 
 
 def write_table(case: TableCase, path: Path) -> None:

@@ -52,6 +52,8 @@ def test_highest_coefficient_is_sought_at_the_corner_of_the_table(highest, verdi
         ("depth", h, a, 9.0 if (h, a) == highest else 1.0) for h in (1.25, 4.0) for a in (1.0, 5.0)
     ]
     assert finding("highest", table5=inertia(*cells)).verdict == verdict
+    narrow = inertia(*(cell for cell in cells if cell[2] == 1.0))
+    assert finding("highest", table5=narrow).verdict == "not run"
 
 
 def test_lighter_water_than_ship_is_counted_by_the_critical_coefficient():
@@ -238,7 +240,7 @@ def test_an_order_has_an_impact_where_it_costs_more_than_eight_iterations(counts
 
 
 def test_a_match_by_few_digits_says_so():
-    assert _coarse("1", Here(0.8), 0.2) == "a match by the few digits printed, 25% apart"
+    assert _coarse("1", Here(0.8), 0.2) == "a match by the few digits printed, 25% of ours apart"
     assert _coarse("0.81", Here(0.8), -0.01) == ""
     assert _coarse("1", Here(1.4, rounds_down=True), 0.4) == ""
     assert _coarse("", Here(math.inf), math.nan) == ""
