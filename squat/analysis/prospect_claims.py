@@ -5,8 +5,8 @@ import xarray as xr
 
 from squat.analysis.claims import Finding, NotRunError, Sources, claim, holds
 
-STOPPED = ("diverged", "iteration limit")
-"""How runs end whose coupling failed."""
+_STOPPED = ("diverged", "iteration limit")
+"""How runs end whose coupling failed; a ship that is lost for its speed was coupled all the way."""
 
 
 def _solves(run: xr.Dataset) -> float:
@@ -59,14 +59,13 @@ def _(sources: Sources) -> Finding:
     run = _freed(sources, "printed")
     current = float(run.attrs["current"])
     alone = sources.run("printed", current)
-    # A ship that is lost for its speed was coupled all the way.
     text = f"heave and pitch: {run.attrs['status']}, {_solves(run):.1f} solves a step"
     note = f"at {current:g} m/s, with the matrix m_add, greatest predicted |G| "
     note += f"{_factor(run):.2f}"
     if alone is not None:
         note += f"; heave alone: {_solves(alone):.1f} and {_factor(alone):.2f}"
     note += ". Roll turns out of this plane"
-    return Finding(text, note, holds(run.attrs["status"] not in STOPPED))
+    return Finding(text, note, holds(run.attrs["status"] not in _STOPPED))
 
 
 @claim("refreshed_matrix")

@@ -66,7 +66,7 @@ class WalledHull(Hull):
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
 class HalfEllipse(WalledHull):
-    """x = L/2 (1 + cos t), z = -wall + (T - wall) sin t; `segments` chords."""
+    """x = L/2 (1 + cos t), z = -wall + (T - wall) sin t, `swelled`; `segments` chords, even."""
 
     shape: Literal["half_ellipse"] = "half_ellipse"
     segments: Segments
@@ -141,7 +141,7 @@ class Lewis(WalledHull):
     area_coefficient
         Area below the walls over that of its bounding box, within `fullness`.
     segments
-        Chords of the polygon.
+        Chords of the polygon, an even number, whose corners are `swelled`.
     """
 
     shape: Literal["lewis"] = "lewis"
