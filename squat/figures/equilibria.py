@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from squat import published
-from squat.figures.labels import flattened
+from squat.figures.labels import one_dimensional
 from squat.figures.style import BLUE, PURPLE, RED, single
 
 
@@ -35,8 +35,7 @@ def fig10(data: xr.Dataset) -> Figure:
     axes.set(xlim=(speed[0], speed[-1]), ylim=(low, -0.15 * bottom))
     axes.set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
     axes.set_ylabel("vertical position $w$ [m]")
-    box = "" if config["hull"]["shape"] == "rectangle" else "Eq. (27), of a box of this draft"
-    axes.set_title("; ".join(filter(None, [box, flattened(data)])), fontsize=9, loc="right")
+    axes.set_title(one_dimensional(data), fontsize=9, loc="right")
     figure.legend(loc="outside upper center", ncols=3)
     return figure
 

@@ -1,5 +1,6 @@
 """Names of several runs: what differs between them, and nothing else."""
 
+import re
 import textwrap
 from collections.abc import Sequence
 
@@ -13,6 +14,8 @@ from squat.catalogue.telling import named, telling
 
 _WIDE = 42  # letters in a line of an axis label
 _FIXED = "\N{NO-BREAK SPACE}"
+_UNIT = re.compile(r"([A-Za-z]+)(-?)(\d*)")
+_RAISED = str.maketrans("123456789", "¹²³⁴⁵⁶⁷⁸⁹")
 _FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration limit"}
 
 
@@ -50,7 +53,31 @@ def flattened(*runs: xr.Dataset) -> str:
     return f"1D and ground: bottom flat at {min(depths):g} m" if depths else ""
 
 
+def one_dimensional(data: xr.Dataset) -> str:
+    """What to say where the one-dimensional model is of a simpler hull or bottom than `data`."""
+    shape = records.config_of(data)["hull"]["shape"]
+    box = "" if shape == "rectangle" else "1D: a box of this draft"
+    return "; ".join(filter(None, [box, flattened(data)]))
+
+
 def axis_label(name: str, units: str) -> str:
     """Label in lines that fit beside the axes, the units whole at its end."""
-    unit = "-" if units == "1" else units.replace(" ", _FIXED)
+    unit = units_label(units).replace(" ", _FIXED)
     return textwrap.fill(f"{name} [{unit}]", _WIDE).replace(_FIXED, " ")
+
+
+def units_label(units: str) -> str:
+    """Units of a dataset as the figures write them: `m s-1` is m/s, `1` a dash."""
+    if units == "1":
+        return "-"
+    parts = [_UNIT.fullmatch(part) for part in units.split()]
+    if not all(parts):
+        return units
+    above = [f"{part[1]}{_power(part[3])}" for part in parts if part and not part[2]]
+    below = [f"{part[1]}{_power(part[3])}" for part in parts if part and part[2]]
+    over = " ".join(below) if len(below) < 2 else f"({' '.join(below)})"
+    return "/".join(filter(None, [" ".join(above) or "1", over]))
+
+
+def _power(digits: str) -> str:
+    return digits.translate(_RAISED).removeprefix("\N{SUPERSCRIPT ONE}")

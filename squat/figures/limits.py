@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from squat.errors import InputError
-from squat.figures.labels import flattened
+from squat.figures.labels import one_dimensional
 from squat.figures.stability import bottom
 from squat.figures.style import BLUE, GREEN, ORANGE, PALETTE, PURPLE, RED, single
 from squat.quantities import Vector
@@ -44,7 +44,7 @@ def limits(data: xr.Dataset) -> Figure:
     axes.set(xlim=(speed[0], min(speed[-1], 1.15 * fastest)), ylim=(1.055 * low, -0.06 * low))
     axes.set_xlabel("current relative to the ship $V_\\infty$ [m/s]")
     axes.set_ylabel("vertical position $w$ [m]")
-    axes.set_title(flattened(data), fontsize=9, loc="right")
+    axes.set_title(one_dimensional(data), fontsize=9, loc="right")
     figure.legend(loc="outside upper center", ncols=3)
     return figure
 

@@ -132,7 +132,8 @@ def fig12(run: xr.Dataset) -> Figure:
     axes.set_xlabel("$x$ from the bow, along the hull's underside [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")
     title = f"$V_\\infty$ = {run.attrs['current']:g} m/s, $\\omega t$ = {float(end['phase']):.2f}"
-    axes.set_title(f"{title}, $w$ = {float(end['heave']):.3f} m", fontsize=10)
+    noise = ", grounded: noise of the mesh" if run.attrs["status"] == "grounded" else ""
+    axes.set_title(f"{title}, $w$ = {float(end['heave']):.3f} m{noise}", fontsize=10)
     seen = 0.0, one, *np.quantile(pressure / 1000, _SEEN)
     room = 0.15 * np.ptp(seen)
     axes.set_ylim(min(seen) - room, max(seen) + room)

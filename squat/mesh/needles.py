@@ -10,15 +10,16 @@ _NEEDLE = 0.01
 """Quality at rest that no ready-made hull comes near."""
 
 
-def told(mesh: Mesh) -> Mesh:
-    """The mesh itself, with a warning where triangles are needles."""
+def told(mesh: Mesh, whose: str = "") -> Mesh:
+    """The mesh itself, with a warning where triangles are needles; `whose`: one hull of several."""
     found = quality(mesh.points, mesh.triangles)
     needles = int((found < _NEEDLE).sum())
     if needles:
         _log.warning(
-            "mesh: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
+            "%s: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
             "hull are close or nearly in line; numbers hardly suffer; half as many hull.segments=, "
             "or hull.points= further apart, avoid them",
+            f"mesh of {whose}" if whose else "mesh",
             found.min(),
             needles,
             len(found),

@@ -69,22 +69,22 @@ def _picture(
         recorder.static(origin, rr.Transform3D.columns(scale=[[1.0, 1.0, times]]))
     _still_lines(recorder, origin, extent)
     _hull(recorder, origin, run, extent)
-    if run.fields is not None and scales is not None:
-        draw_field(recorder, origin, run, (extent.inlet, extent.outlet), scales)
     low = np.array([extent.inlet - _BESIDE * extent.length, extent.bed[:, 1].min()])
     high = np.array([extent.outlet + _BESIDE * extent.length, extent.depth])
     low[1] -= _BELOW * extent.depth
     high[1] += _ABOVE * extent.depth
+    stretched = np.array([1, times])
+    low, high = low * stretched, high * stretched
+    if run.fields is not None and scales is not None:
+        middle, seen = (low + high)[0] / 2, scene.seen_width(low, high, aspect)
+        draw_field(recorder, origin, run, (middle - seen / 2, middle + seen / 2), scales)
     what = "Channel"
     if run.fields is not None:
         count = run.fields.sizes["time"]
         what += f" at {count} snapshot{'s' * (count > 1)}: pressure less hydrostatic, velocity"
     if times > 1:
         what += f", heights × {times}"
-    stretched = np.array([1, times])
-    return scene.section_view(
-        f"/{origin}", run.told(what), low * stretched, high * stretched, aspect, times > 1
-    )
+    return scene.section_view(f"/{origin}", run.told(what), low, high, aspect, times > 1)
 
 
 def _still_lines(recorder: Recorder, origin: str, extent: Extent) -> None:

@@ -61,7 +61,10 @@ def _greatest_speed(runs: list[Run]) -> float:
 def draw_field(
     recorder: Recorder, origin: str, run: Run, ends: tuple[float, float], scales: Scales
 ) -> None:
-    """Send mesh, colour bar and arrows of a run with snapshots below `origin`."""
+    """Send mesh, colour bar and arrows of a run with snapshots below `origin`.
+
+    `ends` [m] are those of the picture.
+    """
     fields = run.fields
     assert fields is not None
     depth = float(run.config["channel"]["depth"])

@@ -29,8 +29,7 @@ def section_view(
     Where the entity `path` is `stretched` by a transform, the view stands outside of that.
     """
     x, z = (low + high) / 2
-    width, height = high - low
-    distance = max(width / aspect, height) / (2 * _HALF_VIEW)
+    distance = seen_width(low, high, aspect) / aspect / (2 * _HALF_VIEW)
     return rrb.Spatial3DView(
         origin="/" if stretched else path,
         contents=f"{path}/**",
@@ -43,6 +42,12 @@ def section_view(
             eye_up=[0, 0, 1],
         ),
     )
+
+
+def seen_width(low: Vector, high: Vector, aspect: float) -> float:
+    """Width [m] that a window of `aspect` shows with the whole rectangle from `low` to `high`."""
+    width, height = high - low
+    return float(max(width, height * aspect))
 
 
 def raised(width: float) -> float:

@@ -80,14 +80,14 @@ def alike(case: HullShapesCase, name: str) -> AnyHull:
 
 def _named(case: HullShapesCase, name: str, hull: AnyHull) -> Shape:
     try:
-        return shape(case, hull)
+        return shape(case, name, hull)
     except InputError as error:
         raise InputError(f"hulls.{name}: {error}") from error
 
 
-def shape(case: HullShapesCase, hull: AnyHull) -> Shape:
+def shape(case: HullShapesCase, name: str, hull: AnyHull) -> Shape:
     """All numbers of one hull; raises InputError where it floats nowhere or has no limit."""
-    ship = Ship(hull, case.channel, case.water, case.free_surface, case.grounding)
+    ship = Ship(hull, case.channel, case.water, case.free_surface, case.grounding, f"hulls.{name}")
     sampled = Sampled(ship, case.accuracy)
     finest = sampled.levels[-1]
     case.start.check(finest.interval)

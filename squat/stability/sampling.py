@@ -32,6 +32,8 @@ class Ship:
         `rigid_lid`, Eq. (19), or `blend`: the hull's motion with zero pressure, Eq. (23).
     grounding
         Clearance over that at rest, below which the ship counts as grounded.
+    name
+        Key of the hull where there are several; for messages.
     """
 
     hull: AnyHull
@@ -39,10 +41,11 @@ class Ship:
     water: Water
     free_surface: Surface
     grounding: float
+    name: str = ""
 
     def on(self, size: MeshSize) -> HeaveSystem:
         """The ship on a mesh of that size, in still water."""
-        mesh = told(generate(submesh(self.hull, self.channel, MODES), size))
+        mesh = told(generate(submesh(self.hull, self.channel, MODES), size), self.name)
         limits = mesh.submesh.limits
         low, high = (
             (self.grounding - 1) * limits.clearance,

@@ -15,7 +15,7 @@ from squat.catalogue.telling import telling
 from squat.config.units import unit
 from squat.errors import InputError
 from squat.figures.compare import CompareCase, draw, write_compare
-from squat.figures.labels import axis_label
+from squat.figures.labels import axis_label, units_label
 from squat.figures.layers import looks
 from squat.figures.run_points import draw_points
 from tests.catalogue.runs import RATIOS
@@ -51,13 +51,31 @@ def test_what_cannot_be_compared_is_told_apart_from_what_is_not_there(runs, vari
         draw(table, variable, over)
 
 
+@pytest.mark.parametrize(
+    ("held", "written"),
+    [
+        ("1", "-"),
+        ("m", "m"),
+        ("m2", "m²"),
+        ("m s-1", "m/s"),
+        ("m s-2", "m/s²"),
+        ("J s m-1", "J s/m"),
+        ("s-1", "1/s"),
+        ("W m-2 s-1", "W/(m² s)"),
+        ("per cent %", "per cent %"),
+    ],
+)
+def test_units_are_written_as_in_all_figures(held, written):
+    assert units_label(held) == written
+
+
 def test_units_stay_whole_at_the_end_of_long_labels(runs):
     table = select(find([runs]), "kind == 'piston'")
     long = "velocity of the piston along its long axis, positive up"
-    assert axis_label(long, "m s-1").splitlines()[-1].endswith("[m s-1]")
+    assert axis_label(long, "m s-1").splitlines()[-1].endswith("[m/s]")
     figure = draw(table, "position", None)
     (axes,) = figure.axes
-    axes.set_ylabel(axis_label(long + ", seen by one who stands still on the bank", "kg m-1 s-2"))
+    axes.set_ylabel(axis_label(long + ", seen by one who stands still on the bank", "kg m-2 s-2"))
     FigureCanvasAgg(figure).draw()
     box = axes.yaxis.label.get_window_extent()
     assert figure.bbox.contains(box.x0, box.y0)
@@ -103,7 +121,7 @@ def test_an_entry_of_a_matrix_has_its_own_units(tmp_path):
         variable = f"result.added_mass_{mode}"
         (axes,) = draw(find([tmp_path]), variable, "hull.draft", unit).axes
         labels.append(axes.get_ylabel())
-    assert labels == ["added mass heave [kg m-1]", "added mass pitch [kg m]"]
+    assert labels == ["added mass heave [kg/m]", "added mass pitch [kg m]"]
 
 
 def test_a_run_of_one_point_is_seen(tmp_path):

@@ -150,6 +150,13 @@ def test_the_1d_pressure_ends_at_bow_and_stern(sailed):
     assert np.allclose(axes.lines[1].get_xdata(), [0, 40])
 
 
+def test_pressure_of_a_ship_on_the_bottom_is_said_to_be_noise(sailed):
+    sound = sailed("current=1")
+    for status, told in (("completed", False), ("grounded", True)):
+        (axes,) = fig12(sound.assign_attrs(status=status)).axes
+        assert axes.get_title().endswith("grounded: noise of the mesh") == told
+
+
 def test_a_run_of_many_periods_is_drawn_whole(sailed):
     short, long = sailed("current=1"), sailed("current=1", "time.periods=0.1")
     far = long.assign_coords(phase=long["phase"] * 100)

@@ -42,6 +42,14 @@ def test_roots_of_a_hull_that_is_no_box_are_told_to_be_of_a_box(case, hull, told
     assert bool(axes.get_title(loc="right")) == bool(told)
 
 
+def test_the_one_dimensional_curves_of_limits_say_what_they_take_the_hull_for(slow):
+    assert limits(slow).axes[0].get_title(loc="right") == ""
+    config = json.loads(slow.attrs["config"])
+    config["hull"] = compose("stability", "hull=lewis")["hull"]
+    (axes,) = limits(slow.assign_attrs(config=json.dumps(config))).axes
+    assert axes.get_title(loc="right") == "1D: a box of this draft"
+
+
 @pytest.fixture(scope="module")
 def survived(case):
     """The energies of the paper's ship, at currents of which it survives some."""

@@ -14,6 +14,7 @@ from squat.fluid.run import run as added_mass
 from squat.mesh.run import make, run
 from squat.mesh.ugrid import from_dataset
 from squat.records.mesh_kinds import MESH
+from squat.stability.sampling import Ship
 from tests.hulls import NAMES
 
 DRAWN = [name for name, (kind, _) in FIGURES.items() if kind is MESH]
@@ -54,6 +55,12 @@ def test_needles_are_warned_of_by_number_and_ready_made_hulls_have_none(case, ca
     caplog.clear()
     added_mass(case("added_mass", "mesh=coarse", "accuracy.near=0.4", "hull=polygon", close))
     assert [record.getMessage() for record in caplog.records] == [line]
+    caplog.clear()
+    one = case("limits", "hull=polygon", close)
+    ship = Ship(one.hull, one.channel, one.water, "rigid_lid", 0.05, "hulls.mine")
+    ship.on(case("mesh", "mesh=coarse").mesh)
+    (named,) = (record.getMessage() for record in caplog.records)
+    assert named.startswith("mesh of hulls.mine: least quality")
 
 
 def test_topology_follows_ugrid(stored):

@@ -6,6 +6,7 @@ import rerun as rr
 
 from squat.replay.channel import Extent, channel
 from squat.replay.overlay import time_axis
+from squat.replay.panels import picture_aspect
 from squat.replay.recorder import Recorder
 from squat.replay.runs import load
 from squat.replay.wires import affine
@@ -112,6 +113,20 @@ def test_a_long_shallow_channel_is_drawn_higher_than_it_is_and_the_view_says_so(
     (view,) = channel(Recorder(rr.RecordingStream("test")), (run,))
     assert str(view.name).endswith(f"heights × {times}")
     assert "channel" not in shown[0]  # of the paper's ship: equal scales
+
+
+def test_the_colour_bar_has_one_share_of_the_picture_however_short_the_channel(
+    entities, record, written, shown
+):
+    """Its numbers are as large in all pictures: over a bar that shrinks they would overlap."""
+    keys = "current=1.0", "mesh=coarse", "time.periods=0.02", "snapshots=2"
+    short = "hull.length=20.0", "channel.upstream=10.0", "channel.downstream=10.0"
+    found = entities(record(written("brief", "transient", *keys, *short)))
+    (bar,) = [rows for path, rows in found.items() if "color_bar" in path and "numbers" not in path]
+    places = np.array(bar.rows["vertex_positions"])[..., 0]
+    high = (1 + 0.75 + 0.3) * 20.0  # depth and the margins above and below
+    assert np.ptp(places) == pytest.approx(0.6 * high * picture_aspect(3.0, 1), rel=1e-6)
+    assert np.ptp(places) > 40.0  # the channel itself
 
 
 def test_a_run_longer_than_linked_axes_show_is_shown_whole():
