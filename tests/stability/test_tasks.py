@@ -9,6 +9,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from squat.channel import Channel, Rectangle
+from squat.config import compose
 from squat.errors import InputError
 from squat.figures import limits as limits_figures
 from squat.figures import stability as energy_figures
@@ -25,9 +26,12 @@ SMALL = "mesh=coarse", "cases/stability@speeds=small", "portrait=small"
 
 @pytest.fixture(scope="module")
 def small(case):
-    return portrait.run(case("stability", *SMALL)).assign_attrs(
-        config=json.dumps({"hull": {"draft": 10.0}, "channel": {"depth": 20.0}})
-    )
+    return drawable(portrait.run(case("stability", *SMALL)))
+
+
+def drawable(data):
+    """With the configuration that a record would have."""
+    return data.assign_attrs(config=json.dumps(compose("stability", *SMALL)))
 
 
 def particulars(**changes):
@@ -264,10 +268,7 @@ def test_figures_draw_with_nothing_cut_off(small, draw):
 
 
 def test_figures_stand_speeds_beyond_every_limit(case):
-    data = portrait.run(case("stability", *SMALL, "speeds.cases=[2.9,1]"))
-    data = data.assign_attrs(
-        config=json.dumps({"hull": {"draft": 10.0}, "channel": {"depth": 20.0}})
-    )
+    data = drawable(portrait.run(case("stability", *SMALL, "speeds.cases=[2.9,1]")))
     for draw in DRAWN:
         FigureCanvasAgg(draw(data)).draw()
 
