@@ -5,8 +5,8 @@ import math
 import numpy as np
 import xarray as xr
 
-from squat import published
 from squat.analysis.claims import Finding, Sources, claim, holds
+from squat.analysis.inertia_tables import PRINTED
 from squat.analysis.tables import compare
 from squat.analysis.verdict import DIFFERS, INCONSISTENT, NOT_RUN
 
@@ -19,13 +19,6 @@ def _wendel(sources: Sources) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     )
     ratio, wendel, here = columns
     return ratio, wendel, here
-
-
-_PRINTED = {
-    (float(keys["depth_over_draft"]), float(keys["a_over_T"]))
-    for keys, _ in published.table("table5")
-}
-"""H/T and a/T of the cells of Table 5."""
 
 
 @claim("very_good_agreement")
@@ -64,7 +57,7 @@ def _(sources: Sources) -> Finding:
     ratio, a = float(top["depth_over_draft"]), float(top["a_over_T"])
     found = f"{float(top['inertia_coefficient']):.6g} at H/T = {ratio:g}, a/T = {a:g}"
     at_corner = ratio == main["depth_over_draft"].min() and a == main["a_over_T"].max()
-    corner = min(ratio for ratio, _ in _PRINTED), max(a for _, a in _PRINTED)
+    corner = min(ratio for ratio, _ in PRINTED), max(a for _, a in PRINTED)
     if at_corner and (ratio, a) != corner:
         return Finding(found, "the cell at the corner of the printed table was not run", NOT_RUN)
     return Finding(found, "", holds(bool(at_corner)))
@@ -74,8 +67,8 @@ def _table5(sources: Sources) -> tuple[xr.Dataset, int]:
     """The printed cells of Table 5 that were run, and how many others are printed."""
     names = "reading", "depth_over_draft", "a_over_T"
     rows = zip(*(sources.table5[name].values for name in names), strict=True)
-    run = [n for n, row in enumerate(rows) if row[0] == "depth" and row[1:] in _PRINTED]
-    return sources.table5.isel(cell=run), len(_PRINTED) - len(run)
+    run = [n for n, row in enumerate(rows) if row[0] == "depth" and row[1:] in PRINTED]
+    return sources.table5.isel(cell=run), len(PRINTED) - len(run)
 
 
 def _light(sources: Sources) -> tuple[int, int, int]:

@@ -6,11 +6,17 @@ import math
 import numpy as np
 import xarray as xr
 
+from squat import published
 from squat.analysis.lookup import MISSING, Here, LookUp
 from squat.analysis.verdict import MATCH, half_digit, judge
 
 MESH = "here_paper_mesh"
 """Column of values on our guess of the paper's mesh, which it does not state."""
+PRINTED = {
+    (float(keys["depth_over_draft"]), float(keys["a_over_T"]))
+    for keys, _ in published.table("table5")
+}
+"""H/T and a/T of the cells of Table 5."""
 OTHER_READING = "1.5"
 """Row of Table 5 that fits T = 10 m fixed in all its cells, and no other reading."""
 
@@ -127,7 +133,10 @@ def table5_critical(data: xr.Dataset) -> LookUp:
         limit = 2 / (math.pi * a)
         met = row["depth_over_draft"].values[row["inertia_coefficient"].values <= limit]
         where = f"from H/T = {met.min():g} on" if met.size else "nowhere"
-        return Here(limit, f"m_add <= m {where} in this row", columns={"met": where})
+        printed = {ratio for ratio, length in PRINTED if length == a}
+        missing = len(printed - set(row["depth_over_draft"].values.tolist()))
+        unknown = f"; {missing} of its printed cells were not run" if missing else ""
+        return Here(limit, f"m_add <= m {where} in this row{unknown}", columns={"met": where})
 
     return here
 

@@ -1,5 +1,6 @@
 """`squat task=difference`: what two runs do not have in common."""
 
+import json
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -9,9 +10,11 @@ from pydantic.dataclasses import dataclass
 
 from squat import records
 from squat.catalogue.find import find, places
+from squat.catalogue.flat import flatten
 from squat.catalogue.select import parts
 from squat.errors import InputError
 from squat.quantities import STRICT
+from squat.records.sweep import SWEEP
 
 _LONGEST = 40
 """Letters of a value that are printed, of a hull's points say."""
@@ -67,7 +70,17 @@ def _only(place: Path) -> pd.DataFrame:
     found = find([place])
     if len(found) > 1:
         raise InputError(f"runs={place}: holds {len(found)} runs; give two files")
-    return found
+    run = found.iloc[0]
+    return found.assign(**_joined(Path(run["file"]))) if run["kind"] == SWEEP.name else found
+
+
+def _joined(file: Path) -> dict[str, Any]:
+    """What a collected sweep is of: the joined kind, the common keys, values of the swept."""
+    dataset = records.read(file)
+    axes = json.loads(dataset.attrs["axes"])
+    swept = {key: json.dumps(dataset[name].values.tolist()) for name, key in axes.items()}
+    joined = json.loads(dataset.attrs["joined"])["schema"].split("/")[1]
+    return {"joined": joined, **flatten(json.loads(dataset.attrs["common_config"])), **swept}
 
 
 def write_difference(case: DifferenceCase, path: Path) -> None:

@@ -54,7 +54,7 @@ def write_catalogue(case: CatalogueCase, path: Path) -> None:
     searched = places(case.runs)
     frame = select(find(searched), case.where, case.sort)
     parts = [frame] if case.columns else [part for _, part in frame.groupby("kind", sort=False)]
-    tables = [columns(part, case.columns) for part in parts]
+    tables = [columns(part, case.columns) for part in parts if len(part)]
     with records.atomic(path) as temporary:
         frame.to_parquet(temporary, index=False)
     for shown in tables:

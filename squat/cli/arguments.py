@@ -1,6 +1,10 @@
 """What may be typed more simply than Hydra's grammar has it."""
 
 from collections.abc import Sequence
+from contextlib import suppress
+
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.errors import HydraException
 
 from squat.config.quotes import quoted, quotes
 
@@ -12,16 +16,43 @@ _READ_BY_HYDRA = ("[", "'", '"')
 
 
 def readable(arguments: Sequence[str]) -> list[str]:
-    """`arguments` as Hydra reads them; a multirun's stay, where commas and quotes are Hydra's own.
+    """`arguments` as Hydra reads them.
 
     Such are `run=A,B` of task=replay, a list (Hydra has commas for the values of a multirun only),
-    and a condition with the quotes that the shell has left: `where=status == 'diverged'`.
+    and a condition with the quotes that the shell has left: `where=status == 'diverged'`. In a
+    multirun commas and quotes are Hydra's own, but a key of a swept choice is not.
     """
     if {"-m", "--multirun"} & set(arguments):
-        return list(arguments)
+        return _of_swept(arguments)
     tasks = [word.removeprefix("task=") for word in arguments if word.startswith("task=")]
     lists = {LISTS[task] for task in tasks if task in LISTS}
     return [_condition(_with_list(word, lists)) for word in arguments]
+
+
+def _of_swept(arguments: Sequence[str]) -> list[str]:
+    """`hull=A,B hull.segments=30` with the last as a sweep over one value.
+
+    What is no sweep Hydra tries on the choices that are made if nothing is chosen: the key may be
+    unknown there, though both A and B have it. (Of null Hydra can make no sweep.)
+    """
+    parser = OverridesParser.create()
+    parsed = {}
+    for word in arguments:
+        with suppress(HydraException):  # an option, or what Hydra itself will refuse
+            parsed[word] = parser.parse_override(word)
+    swept = {one.package or one.key_or_group for one in parsed.values() if one.is_sweep_override()}
+    within = [
+        word
+        for word, one in parsed.items()
+        if not (one.is_sweep_override() or one.is_delete() or one.value() is None)
+        and any(one.key_or_group.startswith(f"{group}.") for group in swept)
+    ]
+    return [_swept(word) if word in within else word for word in arguments]
+
+
+def _swept(word: str) -> str:
+    key, _, value = word.partition("=")
+    return f"{key}=choice({value})"
 
 
 def _with_list(word: str, keys: set[str]) -> str:

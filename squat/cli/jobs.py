@@ -20,12 +20,14 @@ from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
 from hydra.core.global_hydra import GlobalHydra
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.utils import JobReturn
+from hydra.errors import HydraException
 from hydra.experimental.callback import Callback
 from omegaconf import DictConfig
 
 from squat import sweeps
 from squat.cli.log import refuse, start_logging
 from squat.config import CONF
+from squat.config.messages import condense
 from squat.errors import InputError
 from squat.progress import hide, progress
 from squat.sweeps.folders import job_folder
@@ -49,8 +51,18 @@ def check(overrides: Sequence[str]) -> None:
         for job in jobs:
             new = {word for word in job if not _NUMBER.fullmatch(word.partition("=")[2])} - seen
             if new:
-                compose("config", job)
+                _compose(job, jobs)
                 seen |= new
+
+
+def _compose(job: list[str], jobs: list[list[str]]) -> None:
+    """Compose one of `jobs`; raises InputError that says which, by what not all of them have."""
+    try:
+        compose("config", job)
+    except HydraException as error:
+        own = [word for word in job if not all(word in other for other in jobs)]
+        which = f" (with {' '.join(own)})" if own else ""
+        raise InputError(f"{condense(error, job)}{which}") from None
 
 
 def _combinations(overrides: Sequence[str]) -> list[list[str]]:

@@ -1,5 +1,6 @@
 """Figures 11 to 13: the coupled runs."""
 
+import textwrap
 from collections.abc import Sequence
 from typing import Any
 
@@ -18,6 +19,7 @@ from squat.stability.keel import breaks, keel_pressure, squat_speed, underside
 _SEEN = (0.02, 0.98)  # shares of the pressures between which the axis lies: corners are singular
 _ROOT = "root, Eq. (27)"
 _FAR = 5.0  # roots over this many spans of the motion would flatten it
+_WIDEST = 90  # letters in a line of a title
 _FLAT = "bottom flat at the channel's depth"
 
 
@@ -34,7 +36,8 @@ def fig11(*runs: xr.Dataset) -> Figure:
         heave = panels[f"heave {n}"]
         far = _heave(heave, run, root)
         _seconds(heave, float(run["omega"]))
-        heave.set_title(f"{label}: {run.attrs['status']}{_rootless(run)}{far}", loc="left")
+        title = textwrap.fill(f"{label}: {run.attrs['status']}{_rootless(run)}", _WIDEST)
+        heave.set_title(title + far, loc="left")
         handles, labels = heave.get_legend_handles_labels()
         drawn |= dict(zip(labels, handles, strict=True))
         _iterations(panels[f"iterations {n}"], run)

@@ -1,6 +1,7 @@
 """Added mass to a stated error: three graded P2 meshes, extrapolated entry by entry."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ LEVELS = 3
 _LEAST_ORDER, _GREATEST_ORDER = 1.0, 4.0
 _STEADY = 0.9
 _ROUNDING = 1e-10
+_KEPT = 128  # matrices of a few numbers
 
 
 @dataclass(frozen=True, kw_only=True, config=STRICT)
@@ -107,10 +109,27 @@ def accurate(
     free_surface: FreeSurface,
     extra: Sequence[HullMode] = (),
 ) -> Estimate:
-    """Matrix m(i, j)/rho of surge, heave, pitch and `extra`, with errors, shape (n, n)."""
+    """Matrix m(i, j)/rho of surge, heave, pitch and `extra`, with errors, shape (n, n).
+
+    Kept for the process: runs of one ship at many currents solve for it once. Read-only arrays.
+    """
+    return _accurate(hull, channel, accuracy, free_surface, tuple(extra))
+
+
+@lru_cache(maxsize=_KEPT)
+def _accurate(
+    hull: AnyHull,
+    channel: Channel,
+    accuracy: Accuracy,
+    free_surface: FreeSurface,
+    extra: tuple[HullMode, ...],
+) -> Estimate:
     coarse = submesh(hull, channel)
     found = [
         AddedMass(generate(coarse, accuracy.size(hull, channel, level)), free_surface, extra).matrix
         for level in range(LEVELS)
     ]
-    return extrapolate(found, float(accuracy.refinement), accuracy.safety)
+    estimate = extrapolate(found, float(accuracy.refinement), accuracy.safety)
+    for part in estimate:
+        part.flags.writeable = False
+    return estimate

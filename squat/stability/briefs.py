@@ -29,7 +29,7 @@ def hull_shapes(data: Mapping[str, Any]) -> str:
     """One line a hull: fullness, limits and sinkage, the fastest last."""
     names = [str(name) for name in data["hull"]]
     width = max(map(len, names))
-    title = f"{'hull':<{width}}  C_B   2D limit [m/s]       dynamic [m/s]        "
+    title = f"{'hull':<{width + 2}}  C_B   2D limit [m/s]       dynamic [m/s]        "
     lines = [f"{title}w at {data['current']:g} m/s [m]"]
     for i in np.argsort(data["limit_dynamic"]):
         cells = (

@@ -29,10 +29,13 @@ def axes_of(jobs: Sequence[Job], reserved: set[str]) -> list[Axis]:
     """The fewest parameters that tell all `jobs` apart (each with a configuration), in file order.
 
     A choice such as `coupling=printed` counts as one parameter, not as all the keys that it sets.
-    A key that follows from others is no axis of its own. `reserved` names are not given to axes.
+    A key that follows from others is no axis of its own; what was given comes first. `reserved`
+    names are not given to axes.
     """
     flat = {job.name: dict(_leaves(job.config or {})) for job in jobs}
-    candidates = [*_choices(jobs), *_keys(flat)]
+    given = {key for job in jobs for key in _given(job)}
+    keys = sorted(_keys(flat), key=lambda pair: pair[0] not in given)
+    candidates = [*_choices(jobs), *keys]
     chosen: list[tuple[str, dict[str, Value]]] = []
     for key, of in candidates:
         if not _follows(of, [values for _, values in chosen]):
@@ -112,8 +115,14 @@ def _names(keys: Sequence[str], reserved: set[str]) -> dict[str, str]:
     """For each key its shortest ending that is unique and free, joined by underscores."""
     names: dict[str, str] = {}
     for key in keys:
-        parts = key.split(".")
-        endings = ["_".join(parts[n:]) for n in range(len(parts) - 1, -1, -1)]
         taken = reserved | set(names.values())
-        names[key] = next((name for name in endings if name not in taken), f"swept_{endings[-1]}")
+        names[key] = next(
+            (name for name in endings(key) if name not in taken), f"swept_{endings(key)[-1]}"
+        )
     return names
+
+
+def endings(key: str) -> list[str]:
+    """Names that a dotted key may have as a dimension, the shortest first."""
+    parts = key.split(".")
+    return ["_".join(parts[n:]) for n in range(len(parts) - 1, -1, -1)]

@@ -16,8 +16,9 @@ from squat.errors import InputError
 from squat.quantities import STRICT
 from squat.records.identity import HOUSEKEEPING
 from squat.records.kinds import KINDS
+from squat.records.schema import Kind
 from squat.records.sweep import SWEEP, joined_kind
-from squat.sweeps.axes import Axis, axes_of
+from squat.sweeps.axes import Axis, axes_of, endings
 from squat.sweeps.jobs import Compose, Job, find, kind_of
 from squat.sweeps.stack import stack
 
@@ -66,13 +67,14 @@ def collect(case: CollectCase, compose: Compose, unit: UnitOf, choose: Choose) -
         raise InputError(f"runs={case.runs}: holds {' and '.join(kinds)}; give runs of one kind")
     source = KINDS[kinds[0]]
     placed = [job for job in jobs if job.config is not None]
-    dims = {dim for variable in source.variables.values() for dim in variable.dims}
-    axes = axes_of(placed, {*source.variables, *dims, *SWEEP.variables})
+    axes = _axes(placed, source)
     cells = _cells(placed, axes, case.runs)
     shape = tuple(len(axis.values) for axis in axes)
     datasets = {place: job.dataset for place, job in cells.items() if job.dataset is not None}
     variables, data = stack(source, datasets, [axis.name for axis in axes], shape)
-    kind = joined_kind(variables, {axis.name: axis.key for axis in axes})
+    keys = {axis.name: axis.key for axis in axes}
+    variables = {name: one for name, one in variables.items() if name not in keys}
+    kind = joined_kind(variables, keys)
     data |= {axis.name: np.array(axis.values) for axis in axes}
     data |= _labels(cells, shape)
     own = {name: [list(variable.dims), variable.units] for name, variable in variables.items()}
@@ -81,7 +83,7 @@ def collect(case: CollectCase, compose: Compose, unit: UnitOf, choose: Choose) -
         data,
         {
             "joined": json.dumps({"schema": source.label, "variables": own}),
-            "axes": json.dumps({axis.name: axis.key for axis in axes}),
+            "axes": json.dumps(keys),
             "common_config": json.dumps(_common([job.config for job in placed])),
             **_lost(jobs, cells, axes),
         },
@@ -91,6 +93,29 @@ def collect(case: CollectCase, compose: Compose, unit: UnitOf, choose: Choose) -
         if found := unit(source.name, axis.key):
             dataset[axis.name].attrs["units"] = found
     return dataset
+
+
+def _axes(jobs: Sequence[Job], source: Kind) -> list[Axis]:
+    """What was swept, under names that no other variable of the sweep has."""
+    dims = {dim for variable in source.variables.values() for dim in variable.dims}
+    axes = axes_of(jobs, {*source.variables, *dims, *SWEEP.variables})
+    return [axis._replace(name=_holder(axis, source, jobs) or axis.name) for axis in axes]
+
+
+def _holder(axis: Axis, source: Kind, jobs: Sequence[Job]) -> str:
+    """The scalar variable that holds the axis's value in every dataset; empty: there is none."""
+    scalars = (
+        name
+        for name in endings(axis.key)
+        if name in source.variables and not source.variables[name].dims
+    )
+    return next((name for name in scalars if all(_holds(job, name, axis) for job in jobs)), "")
+
+
+def _holds(job: Job, name: str, axis: Axis) -> bool:
+    return job.dataset is None or (
+        name in job.dataset and job.dataset[name].item() == axis.of[job.name]
+    )
 
 
 def _cells(jobs: Sequence[Job], axes: Sequence[Axis], runs: str) -> dict[tuple[int, ...], Job]:

@@ -65,7 +65,13 @@ def test_lighter_water_than_ship_is_counted_by_the_critical_coefficient():
     found = table5_critical(table)({"a_over_T": "2"})
     assert found.value == pytest.approx(1 / math.pi)
     assert found.columns["met"] == "from H/T = 2 on"
-    assert found.note == "m_add <= m from H/T = 2 on in this row"
+    printed = {float(cell.keys["depth_over_draft"]) for cell in published.table("table5")}
+    missing = len(printed - {1.25, 2.0, 4.0})
+    assert missing > 0
+    note = "m_add <= m from H/T = 2 on in this row"
+    assert found.note == f"{note}; {missing} of its printed cells were not run"
+    whole = inertia(*(("depth", ratio, 2.0, 0.1) for ratio in printed))
+    assert table5_critical(whole)({"a_over_T": "2"}).note.endswith("in this row")
     assert math.isnan(table5_critical(table)({"a_over_T": "3"}).value)
 
 

@@ -30,7 +30,32 @@ def test_conditions_reach_hydra_as_they_were_typed(condition):
         ["where="],
         ["out=a == b"],
         ["-m", "where='a','b'"],
+        ["-m", "task=mesh", "hull.draft=8,9", "hull.length=30", "hydra.sweep.dir=a"],
+        ["-m", "task=mesh", "hull=lewis,curve", "hull.pitch_center=null", "~hull.wall"],
+        ["task=mesh", "hull=lewis", "hull.segments=24"],
     ],
 )
 def test_what_hydra_reads_already_stays(arguments):
     assert readable(arguments) == arguments
+
+
+@pytest.mark.parametrize(
+    ("typed", "value"),
+    [
+        ("hull.segments=24", 24),
+        ("+hull.segments=24", 24),
+        ("hull.gravity_center=[1.0,-2.0]", [1.0, -2.0]),
+        ("hull.note='a, b'", "a, b"),
+        ("hulls.mine.draft=9", 9),
+    ],
+)
+def test_a_key_of_a_swept_choice_is_a_sweep_over_one_value(typed, value):
+    """Hydra tries what is no sweep on the default choice, which need not have the key."""
+    words = ["-m", "task=mesh", "hull=lewis,curve", "hull@hulls.mine=v,lewis", typed]
+    *others, last = readable(words)
+    assert others == words[:-1]
+    one = OverridesParser.create().parse_override(last)
+    assert one.is_sweep_override()
+    assert one.is_add() == typed.startswith("+")
+    (only,) = one.sweep_iterator()
+    assert only == value

@@ -24,7 +24,12 @@ from squat.records import read
         ),
         (
             ["-m", "task=piston", "pistn.mass_ratio=1,2", "time.periods=1,2"],
-            "squat: pistn.mass_ratio=1,2: unknown key; did you mean 'piston.mass_ratio'? squat",
+            "squat: pistn.mass_ratio=1: unknown key; did you mean 'piston.mass_ratio'? squat",
+        ),
+        (
+            ["-m", "task=mesh", "hull=lewis,v", "hull.segments=24"],
+            "squat: hull.segments=24: unknown key; did you mean 'hull.length'? squat task=NAME "
+            "--cfg job lists the keys (with hull=v)\n",
         ),
         (["task=piston", "+pistn.x=2"], "squat: pistn={'x': 2}: unknown key;"),
         (["task=piston", "piston.mass_ratio=0"], "squat: piston.mass_ratio=0: must be greater"),

@@ -115,6 +115,16 @@ def test_roots_of_eq_27_are_named_where_they_are_and_for_the_box_that_they_are_o
     assert names[1] == "stable root of Eq. (27), a box of this length and draft"
 
 
+def test_long_titles_are_broken_before_the_picture_ends(sailed):
+    runs = [sailed("current=3", f"coupling={name}") for name in ("printed", "consistent")]
+    long = [run.assign_attrs(status="a status of many words, to be told whole") for run in runs]
+    figure = fig11(*long)
+    FigureCanvasAgg(figure).draw()
+    for axes in figure.axes:
+        box = axes._left_title.get_window_extent()
+        assert not axes.get_title(loc="left") or figure.bbox.contains(box.x1, box.y1)
+
+
 def test_time_in_seconds_is_above_the_phase(sailed):
     run = sailed("current=1")
     figure = fig11(run)

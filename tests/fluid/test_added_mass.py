@@ -221,3 +221,14 @@ def test_meshes_of_an_estimate_are_scaled_copies(case):
         assert size.near == pytest.approx(factor * asked.accuracy.near * scale)
         assert size.far == pytest.approx(factor * asked.accuracy.far * asked.channel.depth)
         assert size.slope == asked.accuracy.slope
+
+
+def test_a_matrix_is_solved_for_once_and_nobody_can_change_it():
+    loose = replace(ACCURACY, near=0.64)
+    first = accurate(rectangle(), CHANNEL, loose, "zero_pressure")
+    again = accurate(rectangle(), CHANNEL, replace(loose), "zero_pressure", [])
+    assert again is first
+    other = accurate(rectangle(draft=9.0), CHANNEL, loose, "zero_pressure")
+    assert (other.value != first.value).any()
+    with pytest.raises(ValueError, match="read-only"):
+        first.value[0, 0] = 0.0

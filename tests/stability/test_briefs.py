@@ -8,6 +8,7 @@ import pytest
 
 from squat.cli.tasks import compute
 from squat.config import compose, validate
+from squat.stability.briefs import hull_shapes
 
 
 @pytest.mark.parametrize(
@@ -33,6 +34,22 @@ def test_tasks_of_limits_tell_their_numbers(task, quick, named):
     for name in named:
         for value in np.ravel(data[name].values):
             assert any(abs(number - value) <= 0.006 * abs(value) for number in told), name
+
+
+def test_heads_stand_over_their_columns():
+    data = {
+        "hull": ["v", "rectangle"],
+        "current": 1.0,
+        "block_coefficient": [0.5, 1.0],
+        **{name: [1.0, 2.0] for name in ("limit_2d", "limit_dynamic", "equilibrium")},
+        **{f"{name}_error": [0.1, 0.1] for name in ("limit_2d", "limit_dynamic", "equilibrium")},
+    }
+    head, *rows = hull_shapes(data).split("\n")
+    for row in rows:
+        cells = [row.index("0.5" if row.strip().startswith("v") else "1.0")]
+        cells += [found.start() for found in re.finditer(r"\S+ \+-", row)]
+        heads = [head.index(word) for word in ("C_B", "2D limit", "dynamic", "w at")]
+        assert cells == heads
 
 
 def test_starts_that_are_not_given_lie_between_ground_and_top_and_begin_at_rest():

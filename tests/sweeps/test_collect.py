@@ -12,6 +12,7 @@ import numpy as np
 import psutil
 import pytest
 
+from squat.catalogue.difference import difference
 from squat.cli.tasks import collect
 from squat.config import compose, validate
 from squat.config.units import unit
@@ -19,6 +20,7 @@ from squat.errors import InputError
 from squat.piston import run
 from squat.records import build, read, read_group, save
 from squat.records.schema import Kind, Variable
+from squat.stability.limits import run as limits
 from squat.stability.run import run as equilibria
 from squat.sweeps import FAILED, CollectCase, write_plan
 from squat.sweeps.folders import job_folder, was_cut
@@ -89,6 +91,47 @@ def test_swept_parameters_carry_the_units_of_their_keys(job, joined):
     assert unit("trim", "start.pitch") == "rad"
     assert unit("transient", "coupling.criterion.tolerance") is None
     assert unit("nothing", "current") is None
+
+
+def test_what_was_given_is_the_axis_also_where_another_key_follows_it(job, joined, tmp_path):
+    """A file tells lengths that follow from drafts; before the draft in its configuration."""
+    plan = {}
+    for draft, length in ((5.0, 40.0), (9.0, 41.0)):
+        plan[f"d{draft:g}"] = ["task=equilibria", f"hull.draft={draft}"]
+        keys = f"hull.draft={draft}", f"hull.length={length}"
+        job(f"d{draft:g}", *keys, task="equilibria", make=equilibria)
+    assert json.loads(joined().attrs["axes"]) == {"length": "hull.length"}
+    write_plan(tmp_path, "equilibria", plan)
+    assert json.loads(joined().attrs["axes"]) == {"draft": "hull.draft"}
+
+
+def test_a_swept_value_that_the_kind_holds_is_its_own_dimension(job, joined):
+    for current in (1.0, 2.0):
+        keys = "accuracy=study", "accuracy.near=0.64", f"current={current}"
+        job(f"{current}", *keys, task="limits", make=limits)
+    sweep = joined()
+    assert list(sweep["current"].values) == [1.0, 2.0]
+    assert sweep["limit_speed"].dims[0] == "current"
+    assert "current" not in json.loads(sweep.attrs["joined"])["variables"]
+
+
+def test_sweeps_differ_by_what_was_joined_what_was_swept_and_what_is_common(job, tmp_path):
+    files = []
+    for name, ratios, length in (("a", (1, 2), 1), ("b", (1, 3), 2)):
+        for ratio in ratios:
+            keys = SHORT, f"piston.mass_ratio={ratio}", f"piston.length={length}"
+            job(f"{name}/{ratio}", *keys)
+        config = compose("collect", f"runs={tmp_path / name}")
+        sweep = collect(CollectCase(runs=str(tmp_path / name), where=""))
+        save(sweep, tmp_path / f"{name}.nc", config, 0.0)
+        files.append(tmp_path / f"{name}.nc")
+    found = difference(*files).set_index("key")
+    assert list(found.loc["piston.mass_ratio"]) == ["[1.0, 2.0]", "[1.0, 3.0]"]
+    assert list(found.loc["piston.length"]) == [1, 2]
+    assert len(found) == 2
+    assert difference(files[0], files[0]).empty
+    single = tmp_path / "a/1/piston.nc"
+    assert difference(files[0], single).set_index("key").loc["joined", str(files[0])] == "piston"
 
 
 def test_a_coordinate_stays_one_dimensional_only_where_all_jobs_agree(job, joined):
