@@ -116,4 +116,4 @@ def flux(space: Space, name: str) -> Vector:
 def edge_normals(ends: Vector) -> Vector:
     """Length-weighted normals (k, 2) out of the water, of edges (k, 2 ends, 2)."""
     dx, dz = (ends[:, 1] - ends[:, 0]).T
-    return np.stack([dz, -dx], axis=1)
+    return np.array([dz, -dx]).T.copy()  # asked for at every step: a third of np.stack's time

@@ -11,6 +11,7 @@ x = F_x - (H - F_z) tan(theta), and a point of the bottom stays below its hull p
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -92,19 +93,33 @@ class RigidMotion:
 
     def _spread(self, rigid: Vector, otherwise: Vector) -> Vector:
         """`rigid` at the hull's points, `otherwise` elsewhere."""
-        return np.where((self.anchors.role == RIGID)[:, None], rigid, otherwise)
+        moved = otherwise.copy()
+        moved[self._rigid] = rigid[self._rigid]
+        return moved
 
     def _feet(self, moved: Vector) -> tuple[Vector, Index]:
         """Values of `moved` at the feet of the walls, and their water line vertices."""
-        water = np.flatnonzero(self.anchors.role == WATERLINE)
-        return moved[self.anchors.partner[water]], water
+        return moved[self.anchors.partner[self._water]], self._water
 
     def _on_bed(self, moved: Vector, shift: Vector, base: Vector) -> Vector:
         """`moved` with the bottom's vertices shifted along it as their hull points are in x."""
-        bed = np.flatnonzero(self.anchors.role == BED)
+        bed = self._bed
         dx = shift[self.anchors.partner[bed], 0]
-        moved[bed] = base[bed] + np.stack([dx, self.anchors.slope[bed] * dx], axis=1)
+        moved[bed, 0] = base[bed, 0] + dx
+        moved[bed, 1] = base[bed, 1] + self.anchors.slope[bed] * dx
         return moved
+
+    @cached_property
+    def _rigid(self) -> Index:
+        return np.flatnonzero(self.anchors.role == RIGID)
+
+    @cached_property
+    def _water(self) -> Index:
+        return np.flatnonzero(self.anchors.role == WATERLINE)
+
+    @cached_property
+    def _bed(self) -> Index:
+        return np.flatnonzero(self.anchors.role == BED)
 
 
 def _turn(angle: float) -> Vector:

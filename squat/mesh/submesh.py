@@ -185,7 +185,7 @@ def clearance(keel: Vector, bed: Vector) -> float:
     own = keel[:, 1] - np.interp(keel[:, 0], bed[:, 0], bed[:, 1])
     under = bed[(bed[:, 0] > keel[0, 0]) & (bed[:, 0] < keel[-1, 0])]
     above = np.interp(under[:, 0], keel[:, 0], keel[:, 1]) - under[:, 1]
-    return float(min([*own, *above]))
+    return float(min(own.min(), above.min(initial=np.inf)))
 
 
 def _sides(triangles: Index) -> Index:
