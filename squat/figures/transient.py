@@ -124,24 +124,32 @@ def fig12(run: xr.Dataset) -> Figure:
     config, end = records.config_of(run), run.isel(time=-1)
     depth, density = config["channel"]["depth"], config["water"]["density"]
     x, pressure = _along(end, depth, density * config["water"]["gravity"])
+    gap = depth - config["hull"]["draft"] + float(end["heave"])
+    one = float(keel_pressure(density, run.attrs["current"], depth, gap))
+    seen = 0.0, one, *np.quantile(pressure, _SEEN)
+    room = 0.15 * np.ptp(seen)
+    low, high = min(seen) - room, max(seen) + room
+    beyond = pressure.min() < low or pressure.max() > high
     apart = breaks(underside(run["hull_x"].values, run["hull_z"].values))
     line = (np.insert(values, apart, np.nan) for values in (x, pressure / 1000))
-    axes.plot(*line, color=BLUE, label="2D (the corners are singular)")
-    gap = depth - config["hull"]["draft"] + float(end["heave"])
-    one = float(keel_pressure(density, run.attrs["current"], depth, gap)) / 1000
-    uniform = "1D, uniform under the hull" + (f", {_FLAT}" if flattened(run) else "")
+    axes.plot(*line, color=BLUE, label=f"2D{' (the corners are singular)' if beyond else ''}")
     ends = run["hull_x"].values.min(), run["hull_x"].values.max()
-    axes.plot(ends, [one] * 2, color=RED, ls="--", label=uniform)
+    axes.plot(ends, [one / 1000] * 2, color=RED, ls="--", label=_uniform(run))
     axes.set_xlabel("$x$ from the bow, along the hull's underside [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")
-    title = f"$V_\\infty$ = {run.attrs['current']:g} m/s, $\\omega t$ = {float(end['phase']):.2f}"
+    title = rf"$V_\infty$ = {run.attrs['current']:g} m/s, $\omega t$ = {float(end['phase']):.2f}"
     noise = ", grounded: noise of the mesh" if run.attrs["status"] == "grounded" else ""
     axes.set_title(f"{title}, $w$ = {float(end['heave']):.3f} m{noise}", fontsize=10)
-    seen = 0.0, one, *np.quantile(pressure / 1000, _SEEN)
-    room = 0.15 * np.ptp(seen)
-    axes.set_ylim(min(seen) - room, max(seen) + room)
+    axes.set_ylim(low / 1000, high / 1000)
     axes.legend()
     return figure
+
+
+def _uniform(run: xr.Dataset) -> str:
+    """What to call the 1D pressure, with what it takes hull and bottom for."""
+    box = "" if records.config_of(run)["hull"]["shape"] == "rectangle" else "a box of this draft"
+    flat = _FLAT if flattened(run) else ""
+    return ", ".join(filter(None, ["1D, uniform under the hull", box, flat]))
 
 
 def _along(end: xr.Dataset, depth: float, weight: float) -> tuple[Vector, Vector]:

@@ -10,10 +10,8 @@ from squat.replay.recorder import Recorder, entity
 from squat.replay.runs import Clock, Run
 from squat.replay.style import run_color, ticked
 
-_LINKED = 30.0
-"""Time [s] before and after the one played that diagrams with linked axes show."""
-_NUMBERED = 300.0
-"""Time [s] up to which the viewer has more than one number on the axis of a narrow diagram."""
+_NUMBERED = 20.0, 300.0
+"""Lengths [s] for which the viewer has more than one number on the axis of a narrow diagram."""
 _NAME, _LEGEND = 0.12, 0.5
 """Share of a diagram's height that a name in its legend takes, and that all may take."""
 _FAR = 5.0
@@ -29,7 +27,6 @@ def time_view(
 ) -> rrb.View:
     """A diagram over time of all entities below `paths`, which hold the curves `shown`.
 
-    Longer runs than linked axes show are there from 0 to the end, each diagram by itself.
     Several runs have their legend, whose names may be long, above or below the curves; a single
     run has it where curves go to its corner: a ship's first trough, and counts that stay level.
     """
@@ -41,19 +38,18 @@ def time_view(
         origin="/",
         contents=[f"+ /{path}/**" for path in paths],
         name=title,
-        axis_x=time_axis(_last(runs), any(np.isfinite(told).sum() > 1 for _, told in shown)),
+        axis_x=time_axis(_last(runs)),
         axis_y=_axis(shown, plot.least_span, above, below, plot.base),
         plot_legend=rrb.PlotLegend(plot.legend),
     )
 
 
-def time_axis(last: float, drawn: bool = True) -> rrb.TimeAxis:
-    """Axis of a run up to `last` [s]: linked to the others', or all of a longer run.
+def time_axis(last: float) -> rrb.TimeAxis:
+    """Axis from 0 to `last` [s], the same in all diagrams.
 
-    A diagram where next to nothing is `drawn` would not follow the others.
+    Linked axes would each begin with the times of their own curves, and show 30 s before and after
+    the one played at most.
     """
-    if drawn and last <= _LINKED:
-        return rrb.TimeAxis(link=rrb.components.LinkAxis.LinkToGlobal)
     ends = (rrb.TimeRangeBoundary.absolute(seconds=time) for time in (0.0, last))
     return rrb.TimeAxis(view_range=rrb.TimeRange(*ends))
 
@@ -114,8 +110,8 @@ def _overlaid(plot: Plot) -> Draw:
         if not _finite([values for _, values in shown]).size:
             stepless = all(len(run.steps.time) == 1 for run in runs)
             title += ": no step was accepted" if stepless else ": no values"
-        elif (last := _last(runs)) > _NUMBERED:
-            title += f"; 0 to {last:.4g} s"
+        elif not _NUMBERED[0] <= (last := _last(runs)) <= _NUMBERED[1]:
+            title += f"; 0 to {last:.3g} s"
         title += "".join(_told(curve, runs) for curve in plot.curves if curve not in curves)
         return [time_view(plot, title, paths, shown, runs)]
 

@@ -160,6 +160,21 @@ def test_the_1d_pressure_ends_at_bow_and_stern(sailed):
     assert np.allclose(axes.lines[1].get_xdata(), [0, 40])
 
 
+def test_pressure_that_leaves_the_frame_is_said_to_be_singular_and_1d_to_be_of_a_box(sailed):
+    smooth, box = sailed("current=1", "hull=half_ellipse"), sailed("current=1")
+    under = box["hull_z"] == box["hull_z"].min()
+    corner = under & (box["hull_x"] == 0.0)
+    assert int(corner.sum()) == 1
+    sharp = box.assign(hull_pressure=box["hull_pressure"] - 1e6 * corner)
+    uniform = "1D, uniform under the hull"
+    for run, told in (
+        (smooth, ["2D", f"{uniform}, a box of this draft"]),
+        (sharp, ["2D (the corners are singular)", uniform]),
+    ):
+        (axes,) = fig12(run).axes
+        assert [text.get_text() for text in axes.get_legend().get_texts()] == told
+
+
 def test_pressure_of_a_ship_on_the_bottom_is_said_to_be_noise(sailed):
     sound = sailed("current=1")
     for status, told in (("completed", False), ("grounded", True)):

@@ -94,7 +94,7 @@ def test_a_panel_of_several_runs_says_which_factor_it_compares(ship, bare):
     with rr.RecordingStream("test") as stream:
         views = draw_all(Recorder(stream), runs)
     titles = [view.name for place in views.values() for view in place]
-    assert "Contraction factor, measured" in titles
+    assert any(title.startswith("Contraction factor, measured") for title in titles)
     never = [replace(run, data=run.data.assign(contraction=np.nan * run.data.time)) for run in runs]
     with rr.RecordingStream("test") as stream:
         views = draw_all(Recorder(stream), tuple(never))
@@ -172,25 +172,17 @@ def test_pictures_in_tabs_have_the_whole_place():
     assert [picture_aspect(3.0, count) for count in (1, 2, 3)] == [3.0, 6.0, 3.0]
 
 
-def test_a_diagram_longer_than_its_axis_is_numbered_says_how_long(bare):
+def test_a_diagram_whose_axis_has_no_numbers_says_how_long(bare):
     (run,) = load((str(bare),))
     (plot,) = (one for one in PLOTS if one.name == "iterations")
     names = []
-    for factor in (1.0, 479.7 / run.steps.time[-1]):
-        slow = replace(run, data=run.data.assign_coords(time=run.data["time"] * factor))
+    for last in (2.19, 60.0, 479.7):
+        times = run.data["time"] * (last / run.steps.time[-1])
+        slow = replace(run, data=run.data.assign_coords(time=times))
         recorder = Recorder(rr.RecordingStream("test"))
         names += [str(view.name) for view in _overlaid(plot)(recorder, (slow,))]
-    assert names == ["Iterations of a step", "Iterations of a step; 0 to 479.7 s"]
-
-
-def test_a_dot_of_each_of_two_runs_does_not_set_the_axis_of_time():
-    (plot,) = (one for one in PLOTS if one.name == "contraction")
-    run = SimpleNamespace(span=SimpleNamespace(time=np.array([0.0, 9.0])))
-    dots = [(name, np.array([np.nan, 0.2, np.nan])) for name in "ab"]
-    view = time_view(plot, "Contraction", [], dots, (run,))
-    axis = view.properties["TimeAxis"]
-    assert axis.view_range is not None  # all of the run, rather than linked to the other diagrams
-    assert axis.link is None
+    told = ["Iterations of a step; 0 to 2.19 s", "Iterations of a step"]
+    assert names == [*told, "Iterations of a step; 0 to 480 s"]
 
 
 def test_labels_say_what_differs_and_no_more():
@@ -227,7 +219,10 @@ def test_runs_in_folders_whose_names_were_cut_are_told_apart_by_their_configurat
 def test_a_diagram_of_a_run_without_a_step_says_so(bare):
     (run,) = load((str(bare),))
     (plot,) = (plot for plot in PLOTS if plot.name == "iterations")
-    for whole, title in ((run.data, ""), (run.data.isel(time=[0]), ": no step was accepted")):
+    for whole, title in (
+        (run.data, "; 0 to 2.19 s"),
+        (run.data.isel(time=[0]), ": no step was accepted"),
+    ):
         recorder = Recorder(rr.RecordingStream("test"))
         (view,) = _overlaid(plot)(recorder, (replace(run, data=whole),))
         assert str(view.name) == plot.title + title
