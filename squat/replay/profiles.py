@@ -61,7 +61,7 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     if any(((low <= level) & (level <= high)).any() for level in uniform):
         chart.title += "; level line: 1D, Eq. (27)"
     if any(run.data.attrs["status"] == "grounded" for run in runs):
-        chart.y_label += "; at the bottom noise"
+        chart.y_label += "; on the bottom: noise"
     for run, along, field, level in zip(runs, x, fields, uniform, strict=True):
         apart = breaks(keel(run))
         lines = [np.insert(np.column_stack([along, row]), apart, np.nan, axis=0) for row in field]

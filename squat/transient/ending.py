@@ -95,8 +95,10 @@ def told(dataset: xr.Dataset, case: TransientCase) -> str:
     status, failed = str(dataset.attrs["status"]), dataset["failed_residual"].size > 0
     if status == "completed":
         return f"{status} at {_length(dataset)}"
-    step, heave = dataset.sizes["time"] - 1 + failed, float(dataset["heave"][-1])
-    where = f"{status} at step {step} of {case.time.steps} (w = {heave:.4g} m), {_length(dataset)}"
+    last, heave = dataset.sizes["time"] - 1, float(dataset["heave"][-1])
+    kept = f"after step {last}, " if failed else ""
+    where = f"{status} at step {last + failed} of {case.time.steps}"
+    where += f"; {kept}w = {heave:.4g} m, {_length(dataset)}"
     scheme = status in ("diverged", "iteration limit") and case.coupling.name.startswith("printed")
     return f"{where}; {_REMEDY}" if scheme else where
 

@@ -25,7 +25,9 @@ def test_a_step_that_would_end_below_the_bottom_is_grounding_not_divergence(ship
     )
     assert data.attrs["status"] == "grounded"
     step = data.sizes["time"]
-    assert told(data, case).startswith(f"grounded at step {step} of {case.time.steps} (w = -")
+    assert told(data, case).startswith(
+        f"grounded at step {step} of {case.time.steps}; after step {step - 1}, w = -"
+    )
     assert "coupling=" not in told(data, case)
 
 
@@ -34,7 +36,7 @@ def test_a_scheme_that_fails_in_the_first_step_has_diverged(ship):
     data = run(case).dataset
     assert data.attrs["status"] == "diverged"
     assert told(data, case) == (
-        f"diverged at step 1 of {case.time.steps} (w = -0.1 m), t = 0 s; "
+        f"diverged at step 1 of {case.time.steps}; after step 0, w = -0.1 m, t = 0 s; "
         "coupling=consistent_quasi_newton takes large added mass"
     )
 
