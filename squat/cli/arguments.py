@@ -18,9 +18,9 @@ _READ_BY_HYDRA = ("[", "'", '"')
 def readable(arguments: Sequence[str]) -> list[str]:
     """`arguments` as Hydra reads them.
 
-    Such are `run=A,B` of task=replay, a list (Hydra has commas for the values of a multirun only),
-    and a condition with the quotes that the shell has left: `where=status == 'diverged'`. In a
-    multirun commas and quotes are Hydra's own, but a key of a swept choice is not.
+    `run=A,B` of task=replay becomes a list (Hydra has commas for the values of a multirun only),
+    and a condition gets the quotes that the shell took: `where=status == 'diverged'`. Commas and
+    quotes of a multirun stay, which are Hydra's own; a key of a swept choice becomes a sweep.
     """
     if {"-m", "--multirun"} & set(arguments):
         return _of_swept(arguments)

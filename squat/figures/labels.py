@@ -53,11 +53,16 @@ def flattened(*runs: xr.Dataset) -> str:
     return f"1D and ground: bottom flat at {min(depths):g} m" if depths else ""
 
 
+def boxed(data: xr.Dataset) -> str:
+    """What the one-dimensional model takes the hull of `data` for; empty: for itself."""
+    shape = records.config_of(data)["hull"]["shape"]
+    return "" if shape == "rectangle" else "a box of this draft"
+
+
 def one_dimensional(data: xr.Dataset) -> str:
     """What to say where the one-dimensional model is of a simpler hull or bottom than `data`."""
-    shape = records.config_of(data)["hull"]["shape"]
-    box = "" if shape == "rectangle" else "1D: a box of this draft"
-    return "; ".join(filter(None, [box, flattened(data)]))
+    box = boxed(data)
+    return "; ".join(filter(None, [box and f"1D: {box}", flattened(data)]))
 
 
 def axis_label(name: str, units: str) -> str:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from squat import records
 from squat.errors import InputError
-from squat.figures.labels import flattened, of_ships, said_in, stepless
+from squat.figures.labels import boxed, flattened, of_ships, said_in, stepless
 from squat.figures.style import BLUE, GREEN, ORANGE, PURPLE, RED, single
 from squat.quantities import Vector
 from squat.stability.keel import breaks, keel_pressure, squat_speed, underside
@@ -66,8 +66,9 @@ def _free(run: xr.Dataset) -> list[str]:
 
 def _root(runs: Sequence[xr.Dataset]) -> str:
     """What to call a root of Eq. (27), which takes each of the hulls for a box."""
-    boxes = all(records.config_of(run)["hull"]["shape"] == "rectangle" for run in runs)
-    name = _ROOT if boxes else "root of Eq. (27), a box of this length and draft"
+    name = (
+        _ROOT if not any(map(boxed, runs)) else "root of Eq. (27), a box of this length and draft"
+    )
     return f"{name}, {_FLAT}" if flattened(*runs) else name
 
 
@@ -147,9 +148,8 @@ def fig12(run: xr.Dataset) -> Figure:
 
 def _uniform(run: xr.Dataset) -> str:
     """What to call the 1D pressure, with what it takes hull and bottom for."""
-    box = "" if records.config_of(run)["hull"]["shape"] == "rectangle" else "a box of this draft"
     flat = _FLAT if flattened(run) else ""
-    return ", ".join(filter(None, ["1D, uniform under the hull", box, flat]))
+    return ", ".join(filter(None, ["1D, uniform under the hull", boxed(run), flat]))
 
 
 def _along(end: xr.Dataset, depth: float, weight: float) -> tuple[Vector, Vector]:

@@ -61,7 +61,7 @@ def keel_pressure_panel(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.V
     if any(((low <= level) & (level <= high)).any() for level in uniform):
         chart.title += "; level line: 1D, Eq. (27)"
     if any(run.data.attrs["status"] == "grounded" for run in runs):
-        chart.y_label += "; on the bottom: noise"
+        chart.y_label += "; grounded: noise"
     for run, along, field, level in zip(runs, x, fields, uniform, strict=True):
         apart = breaks(keel(run))
         lines = [np.insert(np.column_stack([along, row]), apart, np.nan, axis=0) for row in field]
@@ -103,7 +103,8 @@ def residuals(recorder: Recorder, runs: tuple[Run, ...]) -> list[rrb.View]:
     both = np.concatenate(points)
     chart = Chart(
         "residuals",
-        "Residuals of the step; red: of the one that failed",
+        "Residuals of the step"
+        + ("; red: of the one that failed" if any(map(len, failed)) else ""),
         _span([0.0, float(both[:, 0].max())], 0.0),
         _span([float(both[:, 1].min()), float(both[:, 1].max())]),
         "iteration",

@@ -74,12 +74,11 @@ def collect(case: CollectCase, compose: Compose, unit: UnitOf, choose: Choose) -
     variables, data = stack(source, datasets, [axis.name for axis in axes], shape)
     keys = {axis.name: axis.key for axis in axes}
     variables = {name: one for name, one in variables.items() if name not in keys}
-    kind = joined_kind(variables, keys)
     data |= {axis.name: np.array(axis.values) for axis in axes}
     data |= _labels(cells, shape)
     own = {name: [list(variable.dims), variable.units] for name, variable in variables.items()}
     dataset = records.build(
-        kind,
+        joined_kind(variables, keys),
         data,
         {
             "joined": json.dumps({"schema": source.label, "variables": own}),
@@ -88,10 +87,10 @@ def collect(case: CollectCase, compose: Compose, unit: UnitOf, choose: Choose) -
             **_lost(jobs, cells, axes),
         },
     )
-    for axis in axes:
-        del dataset[axis.name].attrs["units"]
-        if found := unit(source.name, axis.key):
-            dataset[axis.name].attrs["units"] = found
+    for name, key in keys.items():
+        del dataset[name].attrs["units"]
+        if found := unit(source.name, key):
+            dataset[name].attrs["units"] = found
     return dataset
 
 

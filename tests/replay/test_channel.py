@@ -116,7 +116,7 @@ def test_a_long_shallow_channel_is_drawn_higher_than_it_is_and_the_view_says_so(
 
 
 def test_the_colour_bar_has_one_share_of_the_picture_however_short_the_channel(
-    entities, record, written, shown
+    entities, record, written
 ):
     """Its numbers are as large in all pictures: over a bar that shrinks they would overlap."""
     keys = "current=1.0", "mesh=coarse", "time.periods=0.02", "snapshots=2"

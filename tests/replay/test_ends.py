@@ -73,3 +73,9 @@ def test_of_several_runs_the_one_without_a_step_is_named(lost, tube, tmp_path):
     copy.write_bytes(tube.read_bytes())
     (title,) = names(PANELS["iterations differences"].draw, tube, copy, lost)
     assert title == "Δ Iterations of a step, less tube; no common step with lost"
+
+
+def test_residuals_are_said_to_be_red_where_a_step_failed(lost, tube):
+    draw = PANELS["residuals"].draw
+    assert names(draw, tube) == ["Residuals of the step"]
+    assert names(draw, lost) == ["Residuals of the step; red: of the one that failed"]
