@@ -7,6 +7,7 @@ import pytest
 from xdist.scheduler import LoadScopeScheduling
 
 from squat.config import compose, validate
+from tests.composition import remember
 from tests.forks import Forks
 
 ROOT = Path(__file__).parents[1]
@@ -16,6 +17,9 @@ LONGEST = ("tests/workflow/", "tests/paper/", "tests/docs/", "tests/faults/", "t
 
 if "PYTEST_XDIST_WORKER" in os.environ:  # the other workers have the other cores
     os.environ.setdefault("LOKY_MAX_CPU_COUNT", "1")
+
+
+remember()
 
 
 class Scheduling(LoadScopeScheduling):

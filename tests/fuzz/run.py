@@ -1,12 +1,11 @@
 """Runs generated bad input through the command in this process: COUNT SEED; JSON lines of faults.
 
 The command is the real one. Two things are taken from it for speed, and neither sees the input:
-what Hydra read from `conf/` for one choice of groups is kept for the next case, and of input that
-turns out to be good only its geometry is made where a run would take long.
+what Hydra read from `conf/` is kept (tests/composition.py), and of input that turns out to be good
+only its geometry is made where a run would take long.
 """
 
 import contextlib
-import copy
 import importlib
 import io
 import json
@@ -17,14 +16,12 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-import hydra._internal.config_loader_impl as loader
-from hydra._internal.defaults_list import DefaultsList, Overrides
-
 from squat import records
 from squat.cli.tasks import FILES, run_task
 from squat.errors import InputError
 from squat.mesh import MeshSize, submesh
 from squat.mesh.count import check_count
+from tests.composition import remember
 from tests.fuzz.files import prepare
 from tests.fuzz.inputs import Generator
 
@@ -36,46 +33,6 @@ _QUICK = {"equilibria", *FILES}
 
 class HungError(BaseException):
     """Raised by the alarm."""
-
-
-def remember():
-    """Keep what Hydra makes of conf/ for one choice of groups."""
-    defaults, configs = {}, {}
-    listed = loader.create_defaults_list
-    composed = loader.ConfigLoaderImpl._compose_config_from_defaults_list
-
-    def create(repo, config_name, overrides_list, prepend_hydra, skip_missing):
-        arguments = {
-            "repo": repo,
-            "config_name": config_name,
-            "overrides_list": overrides_list,
-            "prepend_hydra": prepend_hydra,
-            "skip_missing": skip_missing,
-        }
-        if _own_files():
-            return listed(**arguments)
-        groups = [o.input_line for o in overrides_list if repo.group_exists(o.key_or_group)]
-        key = config_name, prepend_hydra, skip_missing, tuple(groups)
-        if key not in defaults:
-            defaults[key] = listed(**arguments)
-        kept = defaults[key]
-        own = Overrides(repo=repo, overrides_list=overrides_list).config_overrides
-        return DefaultsList(kept.defaults, kept.defaults_tree, own, kept.overrides)
-
-    def compose(self, defaults, repo):
-        if _own_files():
-            return composed(self, defaults, repo)
-        key = repr(defaults)
-        if key not in configs:
-            configs[key] = composed(self, defaults, repo)
-        return copy.deepcopy(configs[key])
-
-    loader.create_defaults_list = create
-    loader.ConfigLoaderImpl._compose_config_from_defaults_list = compose
-
-
-def _own_files():
-    return any(word.startswith(("-c", "--config", "hydra.searchpath")) for word in sys.argv)
 
 
 def light(valid, path):
