@@ -24,7 +24,7 @@ UV_VERSION := 0.13.9
 INDEX := $(shell $(PYTHON) -m pip config get global.index-url 2>/dev/null || true)
 WITH_INDEX := $(if $(INDEX),UV_DEFAULT_INDEX=$(INDEX))
 
-.PHONY: help environment reproduce test test-fuzz test-faults test-report test-slurm docs test-coverage test-newest test-mutants format lock benchmark clean
+.PHONY: help environment reproduce test types suite test-fuzz test-faults test-report test-slurm docs test-coverage test-newest test-mutants format lock benchmark clean
 
 help:  ## list the commands
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1@\2/p' Makefile | column -t -s@
@@ -48,8 +48,13 @@ test: environment  ## formatter, linter, types, architecture and all tests
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/snakefmt --check Snakefile workflows/rules
-	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(MAKE) --no-print-directory --jobs=2 types suite
+
+types: environment  # one process for half a minute: beside the tests
+	$(BIN)/mypy
+
+suite: environment
 	PATH="$(CURDIR)/$(BIN):$$PATH" pytest -n $(WORKERS) --dist loadscope
 
 test-fuzz: environment  ## 10,000 generated bad inputs, and damaged files

@@ -84,7 +84,7 @@ def columns(frame: pd.DataFrame, names: Sequence[str]) -> pd.DataFrame:
     alone = [
         name for name in frame.columns if name.startswith(RESULT) and frame[name].notna().all()
     ]
-    return frame[list(names) or [*FIXED, *(_telling(frame) if len(frame) > 1 else alone)]]
+    return frame[list(names) or [*FIXED, *(independent(frame) if len(frame) > 1 else alone)]]
 
 
 def varying(frame: pd.DataFrame) -> list[str]:
@@ -98,6 +98,21 @@ def varying(frame: pd.DataFrame) -> list[str]:
         return (frame[name].dropna() if name in groups else frame[name]).drop_duplicates()
 
     return [str(name) for name in frame.columns if name not in FIXED and len(values(name)) > 1]
+
+
+def independent(frame: pd.DataFrame) -> list[str]:
+    """What varies, but for the parts of a choice that it implies."""
+    names = varying(frame)
+    implied = {
+        name
+        for choice, prefix in parts(frame).items()
+        for name in names
+        if choice in names
+        and choice != name
+        and name.startswith(prefix)
+        and implies(frame, choice, name)
+    }
+    return [name for name in names if name not in implied]
 
 
 def parts(frame: pd.DataFrame) -> dict[str, str]:
@@ -115,21 +130,6 @@ def parts(frame: pd.DataFrame) -> dict[str, str]:
 def implies(frame: pd.DataFrame, one: str, other: str) -> bool:
     """Whether in `frame` the value of `one` tells that of `other`."""
     return len(frame[[one, other]].drop_duplicates()) == frame[one].nunique(dropna=False)
-
-
-def _telling(frame: pd.DataFrame) -> list[str]:
-    """What varies, but for the parts of a choice that it implies."""
-    names = varying(frame)
-    implied = {
-        name
-        for choice, prefix in parts(frame).items()
-        for name in names
-        if choice in names
-        and choice != name
-        and name.startswith(prefix)
-        and implies(frame, choice, name)
-    }
-    return [name for name in names if name not in implied]
 
 
 def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:

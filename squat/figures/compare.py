@@ -72,17 +72,19 @@ def draw(table: pd.DataFrame, variable: str, over: str | None, units: Units = _n
     if over is not None and set(wanted) <= set(table.columns):
         held = table[wanted].notna()
         kept = _kept(table, held.all(axis=1), wanted)
-        draw_points(axes, kept, variable, over, units)
+        notes = [draw_points(axes, kept, variable, over, units)]
     else:
         names = [variables(file) for file in table["file"]]
         held = pd.DataFrame({name: [name in one for one in names] for name in wanted}, table.index)
         kept = _kept(table, held.all(axis=1), wanted)
         draw_lines(axes, kept, variable, over)
+        notes = []
     if lacking := len(table) - len(kept):
         missing = " or ".join(name for name in wanted if not held[name].all())
         left_out = f"{lacking} of {len(table)} runs left out: without {missing}"
         _log.warning("%s", left_out)
-        axes.set_title(left_out, fontsize=8, loc="right")
+        notes.append(left_out)
+    axes.set_title("\n".join(filter(None, notes)), fontsize=8, loc="right")
     if (lines := len(axes.lines)) > 1:
         figure.set_figheight(4.0 + _LINE * lines)
         figure.legend(loc="outside lower center", fontsize=8)

@@ -1,6 +1,7 @@
 """The energy of ship, water and the channel's ends: what Fig. 13 shows, and what it leaves out."""
 
 import json
+import textwrap
 from collections.abc import Sequence
 
 import numpy as np
@@ -23,6 +24,7 @@ _WHOLE = {
     "static_energy": "still water and weight",
     "stream_energy": "stream's head $U_B$",
 }
+_WIDE = 55  # letters in a line of a panel's title, or of half a legend
 
 
 def energy_audit(*runs: xr.Dataset) -> Figure:
@@ -31,7 +33,8 @@ def energy_audit(*runs: xr.Dataset) -> Figure:
     panels = figure.subplot_mosaic([["ship", "whole"], ["rest", "rest"]])
     first, labels = runs[0], of_ships(runs)
     _balance(panels["ship"], first, _terms(first, _SHIP))
-    named = "" if len(runs) == 1 else f"\n{labels[0]}, first of {len(runs)} runs"
+    of = "" if len(runs) == 1 else f"{labels[0]}, first of {len(runs)} runs"
+    named = "\n".join(["", *textwrap.wrap(of, _WIDE)])
     panels["ship"].set_title(f"Fig. 13: the ship alone{named}", fontsize=10)
     ends = {"minus work of the ends": -first["end_work"].values}
     _balance(panels["whole"], first, {**_terms(first, _WHOLE), **ends})
@@ -86,7 +89,8 @@ def _left_over(axes: Axes, runs: Sequence[xr.Dataset], labels: Sequence[str]) ->
     axes.set_title(
         "what is left over: solid, ship, water and ends; dotted, the ship alone", fontsize=10
     )
-    axes.legend(fontsize=8, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.18))
+    columns = 2 if max(map(len, labels)) < _WIDE else 1
+    axes.legend(fontsize=8, ncols=columns, loc="upper center", bbox_to_anchor=(0.5, -0.18))
 
 
 def _settings(run: xr.Dataset) -> str:

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 
 from squat import records
 from squat.catalogue.flat import row_of
-from squat.catalogue.telling import named, telling
+from squat.catalogue.telling import differing, named
 
 _WIDE = 42  # letters in a line of an axis label
 _FIXED = "\N{NO-BREAK SPACE}"
@@ -22,12 +22,13 @@ _FAILED = {"diverged": "diverged", "iteration limit": "reached the iteration lim
 def of_ships(runs: Sequence[xr.Dataset]) -> list[str]:
     """A label for each of the coupled `runs`: what differs, the current where nothing does."""
     table = pd.DataFrame([row_of(run.attrs) for run in runs])
-    keys = telling(table, "current") or ["current"]
+    keys, more = differing(table, "current")
     labels = []
-    for row in table[keys].to_dict("records"):
+    for row in table[keys or ["current"]].to_dict("records"):
         speed = row.pop("current", None)
         stream = "" if speed is None else f"$V_\\infty$ = {speed:g} m/s"
-        labels.append(", ".join(filter(None, [stream, named({str(k): v for k, v in row.items()})])))
+        rest = named({str(key): value for key, value in row.items()})
+        labels.append(", ".join(filter(None, [stream, rest])) + more)
     return labels
 
 

@@ -43,7 +43,8 @@ def race(data: xr.Dataset) -> Figure:
         axes.set_title(name, fontsize=10)
     sweeps[0].set_ylabel("structure solves a step [-]")
     at = f"mass ratio {data.attrs['factor_mass_ratio']:g}, {data.attrs['factor_steps']} steps"
-    lower.suptitle(f"$m_{{add}}$ wrong by a factor ({at} a period); a gap: diverged", fontsize=10)
+    gap = "a gap: diverged, or over the limit"
+    lower.suptitle(f"$m_{{add}}$ wrong by a factor ({at} a period); {gap}", fontsize=10)
     lower.legend(*sweeps[0].get_legend_handles_labels(), loc="outside right center", fontsize=8)
     return figure
 

@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from squat import records
-from squat.catalogue.telling import named, telling
+from squat.catalogue.telling import differing, named
 from squat.errors import InputError
 from squat.figures.labels import axis_label
 from squat.figures.layers import looks
@@ -22,7 +22,7 @@ _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
 
 def draw_lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> None:
-    """One line a run, named by what tells the runs apart."""
+    """One line a run, named by what differs between the runs."""
     if len(table) > _MOST:
         raise InputError(f"runs: {len(table)} lines in one plot; narrow them to {_MOST} by where=")
     labelled = _labelled(table)
@@ -55,10 +55,10 @@ def _numbers(values: xr.DataArray) -> Vector:
 
 def _labelled(table: pd.DataFrame) -> list[tuple[str, str]]:
     """Files with their labels, in the order of the keys that vary."""
-    keys = telling(table)
+    keys, more = differing(table)
     several = len(table["status"].drop_duplicates()) > 1
     labelled = []
     for row in (table.sort_values(keys) if keys else table).to_dict("records"):
-        label = named({key: row[key] for key in keys}) or Path(row["file"]).stem
+        label = named({key: row[key] for key in keys}) + more or Path(row["file"]).stem
         labelled.append((row["file"], f"{label}: {row['status']}" if several else label))
     return labelled

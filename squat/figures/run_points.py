@@ -10,7 +10,7 @@ from h5netcdf import File
 from matplotlib.axes import Axes
 
 from squat import catalogue
-from squat.catalogue.telling import named, telling
+from squat.catalogue.telling import differing, named, telling
 from squat.figures.labels import axis_label
 from squat.figures.layers import looks
 
@@ -23,15 +23,13 @@ _DONE = ("completed", "converged", "turned")
 """How runs end that have a result; kinds that have no status always do."""
 
 
-def draw_points(axes: Axes, table: pd.DataFrame, variable: str, over: str, units: Units) -> None:
+def draw_points(axes: Axes, table: pd.DataFrame, variable: str, over: str, units: Units) -> str:
     """A headline figure over a key; a line for each combination of the other keys that vary.
 
     Over names dots: nothing is between those. Runs that failed are open markers: what they hold
-    is the state in which they stopped.
+    is the state in which they stopped. Returns what to say of keys that vary along a line too.
     """
-    keys = [
-        name for name in telling(_without_synonyms(table, over)) if name not in (variable, over)
-    ]
+    keys, along = _keys(_without_synonyms(table, over), variable, over)
     groups = table.groupby(keys, dropna=False, sort=False) if keys else [((), table)]
     axes.set_xlabel(_column(over, table, units))
     axes.set_ylabel(_column(variable, table, units))
@@ -52,6 +50,16 @@ def draw_points(axes: Axes, table: pd.DataFrame, variable: str, over: str, units
             ring = dots | {"ls": "", "mfc": "none", "color": look["color"]}
             ring["marker"] = _STOPPED.get(str(status), "o")
             axes.plot(failed[over], failed[variable], label=name, **ring)
+    return f"along a line vary too: {', '.join(along)}" if along else ""
+
+
+def _keys(table: pd.DataFrame, variable: str, over: str) -> tuple[list[str], list[str]]:
+    """Keys that make a line of their own or are one with those; keys that vary along a line."""
+    lines = [name for name in telling(table, over) if name not in (variable, over)]
+    others = [name for name in differing(table, over)[0] if name not in (variable, over, *lines)]
+    count = len(table[lines].drop_duplicates()) if lines else 1
+    along = [name for name in others if len(table[[*lines, name]].drop_duplicates()) > count]
+    return [*lines, *(name for name in others if name not in along)], along
 
 
 def _places(column: "pd.Series[Any]") -> "pd.Series[float]":

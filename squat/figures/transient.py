@@ -1,13 +1,14 @@
 """Figures 11 to 13: the coupled runs."""
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from squat import records
 from squat.errors import InputError
@@ -167,25 +168,31 @@ def _along(end: xr.Dataset, depth: float, weight: float) -> tuple[Vector, Vector
 
 
 def fig13(*runs: xr.Dataset) -> Figure:
-    """Energies over E_0 against phase; solid the first run, dashed the second."""
+    """Energies over E_0 against phase, each in its colour; runs, three at most, by dashes."""
     figure, axes = single(7.4, 4.6)
-    labels = {"kinetic_energy": "$E_c$", "potential_energy": "$E_p$", "fluid_work": "$W$"}
-    colors = (RED, BLUE, GREEN)
+    terms = {"kinetic_energy": "$E_c$", "potential_energy": "$E_p$", "fluid_work": "$W$"}
+    colors = dict(zip((*terms.values(), "sum"), (RED, BLUE, GREEN, ORANGE), strict=True))
+    named = []
     for run, ship, style in zip(runs, of_ships(runs), ("-", "--", ":"), strict=False):
-        if said := stepless(run):
-            axes.plot([], [], " ", label=f"{ship}: {said}")
-            continue
-        initial = float(run["kinetic_energy"][0] + run["potential_energy"][0])
-        total = np.zeros(run.sizes["time"])
-        for (name, label), color in zip(labels.items(), colors, strict=True):
-            part = run[name].values / initial
-            total += part
-            axes.plot(run["phase"], part, style, color=color, label=f"{label}, {ship}")
-        axes.plot(run["phase"], total, style, color=ORANGE, label=f"sum, {ship}")
+        said = stepless(run)
+        dashes = " " if said else style
+        named.append(Line2D([], [], ls=dashes, color="black", label=f"{ship}: {said}".rstrip(": ")))
+        if not said:
+            _shares(axes, run, {colors[label]: run[name] for name, label in terms.items()}, style)
     if all(map(stepless, runs)):
         axes.set_xticks([])
         axes.set_yticks([])
     axes.set_xlabel("$\\omega t$ [-]")
     axes.set_ylabel("energy over $E_0$ [-]")
-    figure.legend(loc="outside right upper", fontsize=8)
+    drawn = [Line2D([], [], color=color, label=label) for label, color in colors.items()]
+    figure.legend(handles=drawn, loc="outside right upper", fontsize=8)
+    figure.legend(handles=named, loc="outside lower center", fontsize=8)
     return figure
+
+
+def _shares(axes: Axes, run: xr.Dataset, parts: Mapping[str, xr.DataArray], style: str) -> None:
+    """Energies over that of the start, by colour, and their sum."""
+    initial = float(run["kinetic_energy"][0] + run["potential_energy"][0])
+    for color, part in parts.items():
+        axes.plot(run["phase"], part / initial, style, color=color)
+    axes.plot(run["phase"], sum(parts.values()) / initial, style, color=ORANGE)

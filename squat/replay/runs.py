@@ -12,7 +12,7 @@ import xarray as xr
 
 from squat import records
 from squat.catalogue.flat import row_of
-from squat.catalogue.telling import named, telling
+from squat.catalogue.telling import differing, named
 from squat.errors import InputError
 from squat.piston import Piston
 from squat.piston.piston import Oscillator
@@ -182,10 +182,11 @@ def labels(paths: list[Path]) -> list[str]:
 
 
 def _by_configuration(runs: tuple[Run, ...]) -> tuple[Run, ...]:
-    """The runs named by the keys that tell them apart, as they are where none do."""
+    """The runs named by the keys that differ between them, as they are where none does."""
     table = pd.DataFrame([row_of(run.data.attrs) for run in runs])
-    rows = table[telling(table)].to_dict("records")
-    names = [named({str(key): value for key, value in row.items()}, " ") for row in rows]
+    keys, more = differing(table)
+    rows = table[keys].to_dict("records")
+    names = [named({str(key): value for key, value in row.items()}, " ") + more for row in rows]
     if len(set(names)) < len(names):
         return runs
     return tuple(replace(run, label=name) for run, name in zip(runs, names, strict=True))

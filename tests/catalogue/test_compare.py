@@ -184,6 +184,53 @@ def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():
     assert telling(table.assign(**{"hull.draft": [8.0, 9.0, 9.0]})) == ["hull.draft", "modes"]
 
 
+def test_labels_hold_all_that_differs_not_only_what_tells_the_runs_apart(runs):
+    table = pd.DataFrame(
+        {
+            "file": sorted(map(str, runs.glob("deep/*/piston.nc"))),
+            "kind": "piston",
+            "status": "converged",
+            "current": [2.0, 2.0, 1.5],
+            "hull.draft": [10.0, 11.0, 11.0],
+            "hull.length": [40.0, 40.0, 45.0],
+            "time.periods": [3.0, 3.0, 4.0],
+        }
+    )
+    (axes,) = draw(table, "position", None).axes
+    assert {line.get_label() for line in axes.lines} == {
+        "current = 2, draft = 10, length = 40",
+        "current = 2, draft = 11, length = 40",
+        "current = 1.5, draft = 11, length = 45",
+    }
+    many = table.assign(**{f"key{n}": [0, 1, n] for n in range(2, 8)})
+    (axes,) = draw(many, "position", None).axes
+    assert all(line.get_label().endswith(", ...") for line in axes.lines)
+    assert all(line.get_label().count(" = ") == 6 for line in axes.lines)
+
+
+def test_keys_that_vary_along_a_line_are_said_beside_it():
+    table = pd.DataFrame(
+        {
+            "current": [1.0, 2.0, 1.0, 2.0],
+            "criterion.iterations": [200, 2000, 200, 2000],
+            "hull.draft": [10.0, 10.0, 11.0, 11.0],
+            "hull.length": [40.0, 40.0, 45.0, 45.0],
+            "clearance": [5.0, 6.0, 7.0, 8.0],
+            "status": "completed",
+            "kind": "x",
+        }
+    )
+    axes = Figure().add_subplot()
+    said = draw_points(axes, table, "clearance", "current", lambda kind, key: None)
+    assert said == "along a line vary too: criterion.iterations"
+    labels = [line.get_label() for line in axes.lines]
+    assert labels == ["draft = 10, length = 40", "draft = 11, length = 45"]
+    one = table[table["hull.draft"] == 10.0]
+    assert said == draw_points(axes, one, "clearance", "current", lambda kind, key: None)
+    steady = one.drop(columns="criterion.iterations")
+    assert draw_points(axes, steady, "clearance", "current", lambda kind, key: None) == ""
+
+
 def test_dots_that_lie_on_each_other_are_all_seen():
     table = pd.DataFrame(
         {
@@ -238,10 +285,14 @@ def test_a_legend_names_the_choice_rather_than_its_parts(runs):
         }
     )
     (axes,) = draw(table, "position", None).axes
+    names = zip(table["coupling.name"], table["hull.shape"], strict=True)
     labels = {line.get_label() for line in axes.lines}
-    assert labels == {f"coupling = {name}" for name in table["coupling.name"]}
+    assert labels == {f"coupling = {coupling}, hull = {hull}" for coupling, hull in names}
     (axes,) = draw(table.drop(columns="coupling.name").iloc[:2], "position", None).axes
-    assert [line.get_label() for line in axes.lines] == ["hull = lewis", "hull = rectangle"]
+    assert [line.get_label() for line in axes.lines] == [
+        "hull = lewis, scheme = corrected",
+        "hull = rectangle, scheme = standard",
+    ]
 
 
 def test_the_command_writes_both_pictures(runs, squat, tmp_path):

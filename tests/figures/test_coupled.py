@@ -141,9 +141,9 @@ def test_pitch_has_a_row_and_titles_tell_what_differs(sailed):
     FigureCanvasAgg(figure).draw()
     titles = [title for axes in figure.axes if (title := axes.get_title(loc="left"))]
     assert [title.partition("\n")[0] for title in titles] == [
-        '$V_\\infty$ = 1 m/s, modes = ["heave"]: completed',
-        '$V_\\infty$ = 2 m/s, modes = ["heave"]: completed',
-        '$V_\\infty$ = 2 m/s, modes = ["heave", "pitch"]: completed',
+        '$V_\\infty$ = 1 m/s, modes = ["heave"], initial_pitch = 0: completed',
+        '$V_\\infty$ = 2 m/s, modes = ["heave"], initial_pitch = 0: completed',
+        '$V_\\infty$ = 2 m/s, modes = ["heave", "pitch"], initial_pitch = 0.001: completed',
     ]
     (pitch,) = [axes for axes in figure.axes if axes.get_ylabel().startswith("pitch")]
     assert np.array_equal(pitch.lines[0].get_ydata(), np.rad2deg(both["pitch"]))
