@@ -104,8 +104,7 @@ class Fleet:
     def _step(self, ships: "_Ships", dt: float, end: float) -> tuple["_Ships", Fates]:
         w, P, V = ships.w, ships.P, ships.V
         k1 = self.rates(w, P, V)
-        gap = w + self.curves.clearance
-        h = np.minimum(dt, _APPROACH * gap / np.maximum(np.abs(k1[0]), _TINY))
+        h = np.minimum(dt, self._within(_APPROACH * (w + self.curves.clearance), w, *k1))
         k2 = self.rates(w + h / 2 * k1[0], P + h / 2 * k1[1], V)
         k3 = self.rates(w + h / 2 * k2[0], P + h / 2 * k2[1], V)
         k4 = self.rates(w + h * k3[0], P + h * k3[1], V)
@@ -124,7 +123,7 @@ class Fleet:
         time = ships.time + h * touch
         outcome = np.full(len(w), -1)
         for code, here in (
-            (UNDECIDED, time >= end),
+            (UNDECIDED, ~(time < end)),  # not a number is no time to go on for
             (SAFE, turns >= 2),
             (LIFTED, lifted),
             (GROUNDED, sunk),
@@ -133,6 +132,16 @@ class Fleet:
         gain = self.energy(new, momentum, V) - ships.energy
         after = ships._replace(w=new, P=momentum, time=time, least=least, turns=turns)
         return after, Fates(outcome, time, least + self.curves.clearance, gain)
+
+    def _within(self, way: Vector, w: Vector, v: Vector, force: Vector) -> Vector:
+        """Time [s] in which ships go no further than `way` [m], at the rates `v`, `force` of now.
+
+        The positive root of |v| h + |w''| h^2/2 = way.
+        """
+        _, c, _, dc = self.water(w)
+        fall = np.abs(force - dc * v**2) / (self.mass + c)
+        pace = np.abs(v) + np.sqrt(v**2 + 2 * fall * way)
+        return np.asarray(2 * way / np.maximum(pace, _TINY))
 
 
 class _Ships(NamedTuple):

@@ -69,6 +69,17 @@ def test_ships_a_millimetre_apart_part_at_the_separatrix(case, fleet, data):
     assert outcome.tolist() == [GROUNDED, SAFE, SAFE, GROUNDED]
 
 
+def test_ships_set_free_anywhere_in_any_current_have_a_fate(fleet):
+    """From rest just above the ground a step of any length would go through the bottom."""
+    heaves, currents = np.meshgrid([-9.79, -9.7, -5.0, 0.0, fleet.highest - 1e-6], [1, 3, 8, 100])
+    outcome, time, clearance, gain = fates(fleet, heaves.ravel(), currents.ravel().astype(float))
+    assert np.isfinite([outcome, time, clearance, gain]).all()
+    assert set(outcome) <= {SAFE, GROUNDED, LIFTED}
+    assert (clearance >= 0.2 - 1e-12).all()
+    fast = (currents.ravel() == 100) & (heaves.ravel() < 0)
+    assert (outcome[fast] == GROUNDED).all()
+
+
 def test_least_clearance_is_the_turning_point_of_the_orbit(case, fleet):
     system = HeaveSystem.of(case.hull, case.water, fleet.curves)
     starts, currents = [-0.1, -3.0, 1.5], [2.0, 2.0, 1.0]
