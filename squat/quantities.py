@@ -36,6 +36,8 @@ Real = Annotated[float, _number(ge=-1e12, le=1e12)]
 Positive = Annotated[float, _number(gt=0, le=1e12)]
 NonNegative = Annotated[float, _number(ge=0, le=1e12)]
 Fraction = Annotated[float, _number(gt=0, le=1)]
+Ratio = Annotated[Positive, Unit("1")]
+"""Quotient of two quantities of one kind, positive."""
 Length = Annotated[float, Unit("m"), _number(gt=0, le=1e5)]
 """Length [m] in (0, 1e5]."""
 Area = Annotated[float, Unit("m2"), _number(gt=0, le=1e10)]

@@ -3,7 +3,16 @@
 from squat.catalogue.difference import DifferenceCase, write_difference
 from squat.catalogue.find import RESULT, find, places
 from squat.catalogue.headlines import units
-from squat.catalogue.select import OWN_NAMES, columns, implies, parts, select, varying
+from squat.catalogue.select import (
+    OWN_NAMES,
+    columns,
+    implies,
+    independent,
+    meant,
+    parts,
+    select,
+    varying,
+)
 from squat.catalogue.task import CatalogueCase, write_catalogue
 
 __all__ = [
@@ -14,6 +23,8 @@ __all__ = [
     "columns",
     "find",
     "implies",
+    "independent",
+    "meant",
     "parts",
     "places",
     "select",

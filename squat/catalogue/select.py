@@ -149,9 +149,8 @@ def _complaint(where: str, frame: pd.DataFrame, error: Exception) -> str:
 
 def _unknown(asked: str, names: Sequence[str]) -> str:
     """What to say of a column that there is not: those of its group, or the first of all."""
-    choice = [name for name in names if name in (f"{asked}.name", f"{asked}.shape")]
-    near = choice or difflib.get_close_matches(asked, names, n=1, cutoff=0.8)
-    hint = f"; did you mean {near[0]}?" if near else ""
+    near = meant(asked, names)
+    hint = f"; did you mean {near}?" if near else ""
     group = asked.partition(".")[0]
     listed = [name for name in names if name.startswith(f"{group}.")] or list(names)
     rest = ", ...; the file of squat task=catalogue has all" if len(listed) > _LISTED else ""
@@ -159,6 +158,13 @@ def _unknown(asked: str, names: Sequence[str]) -> str:
         f"{asked} is no column{hint} (text is quoted, as in 'status == \"diverged\"'); "
         f"give one of {', '.join(listed[:_LISTED])}{rest}"
     )
+
+
+def meant(asked: str, names: Sequence[str]) -> str:
+    """The one of `names` that `asked` comes next to; empty: none."""
+    choice = [name for name in names if name in (f"{asked}.name", f"{asked}.shape")]
+    near = choice or difflib.get_close_matches(asked, names, n=1, cutoff=0.8)
+    return near[0] if near else ""
 
 
 def _quoted(where: str, frame: pd.DataFrame) -> str:

@@ -61,7 +61,9 @@ def _isovalues(axes: Axes, grid: Triangulation, pressure: np.ndarray, mode: str)
     depth_axis(axes, times)
     axes.tick_params(labelbottom=True)
     unit = f"{power} " * (power > 1) + ("t/m$^2$" if mode != "pitch" else "t/m")
-    axes.set_title(f"{_TITLES[mode]}: $p$ per unit acceleration [{unit}]", fontsize=10)
+    axes.set_title(
+        f"{_TITLES[mode]}: $p_j$ [{unit}], a pressure of $-p_j\\ddot{{q}}_j$", fontsize=10
+    )
     axes.grid(visible=False)
 
 

@@ -22,11 +22,10 @@ def remedy(table: pd.DataFrame, variable: str, over: str | None) -> str:
     unknown = [key for key, name in asked.items() if name not in own and name not in table.columns]
     if unknown:
         said = " ".join(f"{key}={asked[key]}" for key in unknown)
-        headline = all(asked[key].startswith(catalogue.RESULT) for key in unknown)
-        return (
-            f"{said}: no run has that; give what they have, as "
-            f"{_listed(figures if headline else own)}"
-        )
+        names = [*table.columns, *own]
+        meant = [found for key in unknown if (found := catalogue.meant(asked[key], names))]
+        hint = f" (did you mean {' and '.join(meant)}?)" if meant else ""
+        return f"{said}: no run has that{hint}; {_given(table, variable, over, own, figures)}"
     if over is None:
         keys = [key for key in catalogue.varying(table) if key not in figures and key != variable]
         return (
@@ -45,6 +44,22 @@ def remedy(table: pd.DataFrame, variable: str, over: str | None) -> str:
         f"compare it with what runs alike, as {_listed(along)}, or give one number a run in its "
         f"place, as {_listed(figures)}"
     )
+
+
+def _given(
+    table: pd.DataFrame,
+    variable: str,
+    over: str | None,
+    own: dict[str, tuple[str, ...]],
+    figures: Sequence[str],
+) -> str:
+    """What there is to give: headline figures with what differs, or variables."""
+    if not variable.startswith(catalogue.RESULT):
+        return f"give what they have, as {_listed(own)}"
+    if variable not in table.columns or over is None:
+        return f"give what they have, as {_listed(figures)}"
+    keys = [key for key in catalogue.independent(table) if key not in figures]
+    return f"give over=KEY, what differs, as {_listed(keys)}"
 
 
 def _listed(names: Sequence[str] | dict[str, tuple[str, ...]]) -> str:

@@ -1,5 +1,6 @@
 """Positions that the hull cannot take, each refused by name."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,8 +18,16 @@ SURGE = 0.5
 """Largest surge over the distance to the part of the mesh that stands still."""
 
 
+_PART = re.compile(r"\b(?=(?:surge|heave|pitch)=)")
+"""Where in a message a part of the position begins."""
+
+
 class PositionError(InputError):
     """The hull cannot take this position."""
+
+    def of(self, keys: str) -> "PositionError":
+        """The same about a position whose keys begin with `keys`, `initial_` say."""
+        return type(self)(_PART.sub(keys, str(self)))
 
 
 class GroundedError(PositionError):

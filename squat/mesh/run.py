@@ -1,7 +1,5 @@
 """From a case to the mesh dataset."""
 
-import re
-
 import xarray as xr
 
 from squat.mesh.case import MeshCase
@@ -11,9 +9,6 @@ from squat.mesh.mesh import Mesh
 from squat.mesh.needles import told
 from squat.mesh.submesh import submesh
 from squat.mesh.ugrid import to_dataset
-
-_POSITION = re.compile(r"\b(?=(?:surge|heave|pitch)=)")
-"""Where in a message a part of the position begins, whose key has a prefix here."""
 
 
 def make(case: MeshCase, modes: tuple[str, ...] = ("surge", "heave", "pitch")) -> Mesh:
@@ -34,6 +29,6 @@ def run(case: MeshCase) -> xr.Dataset:
     try:
         coarse.check(q)
     except PositionError as error:
-        raise type(error)(_POSITION.sub("position.", str(error))) from error
+        raise error.of("position.") from error
     mesh = told(generate(coarse, case.mesh))
     return to_dataset(mesh, q)

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass as plain_dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +10,17 @@ from pydantic.dataclasses import dataclass
 
 from squat.coupling import Load
 from squat.dynamics import Motion
-from squat.quantities import STRICT, Area, Length, NonNegative, Position, Positive, Vector, Velocity
+from squat.quantities import (
+    STRICT,
+    Area,
+    Length,
+    NonNegative,
+    Position,
+    Ratio,
+    Unit,
+    Vector,
+    Velocity,
+)
 from squat.water import Water
 
 
@@ -36,8 +46,8 @@ class Piston:
 
     length: Length
     area: Area
-    mass_ratio: Positive
-    added_mass_ratio: NonNegative
+    mass_ratio: Ratio
+    added_mass_ratio: Annotated[NonNegative, Unit("1")]
     initial_position: Position
     initial_velocity: Velocity
 

@@ -63,8 +63,8 @@ def _axis(
 ) -> rrb.ScalarAxis | None:
     """Axis around `shown`, `least` wide, with numbers; None where the viewer's own has them.
 
-    A share of it, `above` or `below`, is left to the legend; there it may cover level lines. Dots
-    stand off the ends, and what stands on a `base`.
+    A share of it, `above` or `below`, is left to the legend; there it may cover level lines. What
+    is drawn stands off the ends.
     """
     told = _finite([values for _, values in shown])
     if not told.size:
@@ -80,9 +80,10 @@ def _axis(
     deep = (high - float(moving.min())) / (1 - below) if below and moving.size else 0.0
     lowest = min(low - edge if base is None else low, high - deep)
     wide = ticked(lowest, high + edge + (high - low) * above / (1 - above))
-    if base is not None:
-        wide = min(wide[0], base - _EDGE * (wide[1] - base)), wide[1]
-    return None if wide == (low, high) else rrb.ScalarAxis(range=wide)
+    if wide == (low, high):
+        return None
+    room = _EDGE * (wide[1] - wide[0])
+    return rrb.ScalarAxis(range=(min(wide[0], low - room), max(wide[1], high + room)))
 
 
 def _finite(values: list[Vector]) -> Vector:

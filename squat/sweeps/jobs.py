@@ -4,7 +4,7 @@ import json
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import xarray as xr
 
@@ -65,6 +65,23 @@ def write_plan(folder: Path, task: str, jobs: Mapping[str, Sequence[str]]) -> No
         temporary.write_text(json.dumps(plan, indent=1) + "\n", encoding="utf-8")
 
 
+class Planned(NamedTuple):
+    """A job as a sweep planned it."""
+
+    task: str
+    overrides: Sequence[str]
+
+
+def _planned(folder: Path) -> dict[str, Planned]:
+    """Jobs that any sweep in `folder` planned, by their folders' names."""
+    found = {}
+    for path in sorted(folder.rglob(PLAN)):
+        plan, place = _plan(path.parent), path.parent.relative_to(folder)
+        for name, overrides in plan["jobs"].items():
+            found[str(place / name)] = Planned(plan["task"], overrides)
+    return found
+
+
 def _plan(folder: Path) -> dict[str, Any]:
     try:
         plan = json.loads((folder / PLAN).read_text(encoding="utf-8"))
@@ -83,8 +100,8 @@ def find(folder: Path, compose: Compose, chosen: Container[Path] | None = None) 
     """
     if not folder.is_dir():
         raise InputError(f"runs={folder}: no such folder; give that of a multirun")
-    plan = _plan(folder)
-    order = {name: place for place, name in enumerate(plan["jobs"])}
+    plan = _planned(folder)
+    order = {name: place for place, name in enumerate(plan)}
     found: dict[str, Job] = {}
     for path in sorted(folder.rglob("[!.]*.nc")):
         if not path.is_file() or (chosen is not None and path not in chosen):
@@ -93,9 +110,11 @@ def find(folder: Path, compose: Compose, chosen: Container[Path] | None = None) 
             if job.name in found:
                 raise InputError(f"runs={folder}: {job.name} holds several datasets; keep one")
             found[job.name] = job
-    if chosen is None:
-        found |= _without(folder, plan, compose, found)
     whole = [job.config for job in found.values() if job.dataset is not None]
+    if chosen is None:
+        tasks = {config["task"] for config in whole if config}
+        same = {name: job for name, job in plan.items() if not tasks or job.task in tasks}
+        found |= _without(folder, same, compose, found)
     if not whole:
         raise InputError(f"runs={folder}: holds no dataset; {_remedy(found.values())}")
     jobs = [
@@ -113,7 +132,7 @@ def _remedy(jobs: Iterable[Job]) -> str:
 
 
 def _without(
-    folder: Path, plan: Mapping[str, Any], compose: Compose, found: Container[str]
+    folder: Path, plan: Mapping[str, Planned], compose: Compose, found: Container[str]
 ) -> dict[str, Job]:
     """Jobs that failed, and planned ones that are not among those `found`."""
     absent = {}
@@ -121,13 +140,13 @@ def _without(
         name = str(note.parent.relative_to(folder))
         reason = note.read_text(encoding="utf-8").partition("\n")[0]
         absent[name] = _absent(name, plan, compose, reason)
-    for name in plan["jobs"]:
+    for name in plan:
         if name not in found and name not in absent:
             absent[name] = _absent(name, plan, compose)
     return absent
 
 
-def _read(path: Path, folder: Path, plan: Mapping[str, Any], compose: Compose) -> Job | None:
+def _read(path: Path, folder: Path, plan: Mapping[str, Planned], compose: Compose) -> Job | None:
     """The job that wrote `path`; None where it holds a joined sweep."""
     own = path.parent != folder
     name = str(path.parent.relative_to(folder)) if own else path.stem
@@ -137,7 +156,7 @@ def _read(path: Path, folder: Path, plan: Mapping[str, Any], compose: Compose) -
         return _absent(name, plan, compose, str(error))
     if kind_of(dataset) == SWEEP.name:
         return None
-    return Job(name, plan["jobs"].get(name, ()), records.config_of(dataset), dataset)
+    return Job(name, _of(name, plan).overrides, records.config_of(dataset), dataset)
 
 
 def kind_of(dataset: xr.Dataset) -> str:
@@ -147,13 +166,17 @@ def kind_of(dataset: xr.Dataset) -> str:
     return name
 
 
-def _absent(name: str, plan: Mapping[str, Any], compose: Compose, failure: str = "") -> Job:
-    overrides = plan["jobs"].get(name, ())
+def _of(name: str, plan: Mapping[str, Planned]) -> Planned:
+    return plan.get(name, Planned("", ()))
+
+
+def _absent(name: str, plan: Mapping[str, Planned], compose: Compose, failure: str = "") -> Job:
+    task, overrides = _of(name, plan)
     config, refusal = None, ""
     if overrides:
         own = (word for word in overrides if not word.startswith("task="))
         try:
-            config, refusal = compose(plan["task"], *own)
+            config, refusal = compose(task, *own)
         except InputError as error:
             refusal = str(error)
     return Job(name, overrides, config, None, failure or refusal, refused=bool(refusal))

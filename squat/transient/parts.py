@@ -20,6 +20,7 @@ from squat.coupling import (
 )
 from squat.dynamics import Motion, RigidBody
 from squat.dynamics.energy_momentum import rounding_of
+from squat.errors import InputError
 from squat.fluid.curves import POINTS, Curves
 from squat.fluid.energy import ShipEnergy, still_water
 from squat.fluid.heave import HeaveEnergy
@@ -27,7 +28,7 @@ from squat.fluid.model import EnergyModel, FluidModel, forget
 from squat.fluid.potential import PotentialFluid
 from squat.fluid.rates import RATES, Rate
 from squat.fluid.ship import check_stability, rigid_body
-from squat.mesh import PositionError
+from squat.mesh import GroundedError, PositionError, Submesh
 from squat.quantities import Vector
 from squat.reduced.heave import HeaveFluid
 from squat.reduced.hull import HullFluid
@@ -37,6 +38,7 @@ from squat.transient.problem import EnergyProblem, Field, ShipProblem
 
 _FINE = 32
 """Positions that curves of a reduced model are made from: it answers at once."""
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,7 @@ def prepare(case: TransientCase) -> Parts:
     """Mesh, added mass and loop of `case`, from its input files where given."""
     fluid = load_fluid(case)
     check_stability(fluid.mesh.submesh, _body(case), case.water)
+    _check_start(case, fluid.mesh.submesh)
     problem = _problem(case, fluid)
     added = load_added_mass(case)
     omega = case.omega(float(added[case.place, case.place]))
@@ -84,6 +87,23 @@ def prepare(case: TransientCase) -> Parts:
     coupling = _coupling(case, problem, loop, added)
     field = Field(fluid, _rate(case)) if case.model == "reduced" else None
     return Parts(problem, loop, fluid, field, coupling, added, omega, case.time.step(omega))
+
+
+def _check_start(case: TransientCase, submesh: Submesh) -> None:
+    """Raise InputError where the ship cannot be set free."""
+    q, _ = case.start
+    try:
+        submesh.check(q)
+    except GroundedError:
+        pass  # of what the mesh can follow, which is closer to the bottom than what a run may
+    except PositionError as error:
+        raise error.of("initial_") from error
+    gap, rest = submesh.clearance(q), submesh.limits.clearance
+    if gap < case.grounding * rest * (1 - _ROUNDING):
+        given = zip(case.modes, q.tolist(), strict=True)
+        start = " ".join(f"initial_{mode}={value:g}" for mode, value in given)
+        least = f"grounding={case.grounding:g} of {rest:.4g} m at rest"
+        raise InputError(f"{start}: grounded, clearance {gap:.4g} m is less than {least}")
 
 
 def _body(case: TransientCase) -> RigidBody:

@@ -41,8 +41,17 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         ("position", "heave", "^over=heave: no run has that"),
         ("time_step", "piston.mass_ratio", "give result.time_step"),
         ("result.steps", None, "result.steps: one value a run; give over=KEY .*piston.mass_ratio"),
+        (
+            "result.steps",
+            "piston.mass_rati",
+            "did you mean piston.mass_ratio.*; give over=KEY.*as pis",
+        ),
         ("scheme", None, "scheme: one value a run; give over=KEY"),
-        ("result.step", None, "result.step: no run has that; .* as result.*result.steps"),
+        (
+            "result.step",
+            None,
+            "result.step: no run has that .did you mean result.steps.; .* as result",
+        ),
     ],
 )
 def test_what_cannot_be_compared_is_told_apart_from_what_is_not_there(runs, variable, over, said):

@@ -80,7 +80,7 @@ def test_every_value_stands_where_its_parameters_say(job, joined):
     assert json.loads(sweep.attrs["missing"]) == []
     assert sweep["position"].attrs["units"] == "m"
     assert sweep["position"].attrs["long_name"].endswith("; NaN: no such job, or a shorter one")
-    assert "units" not in sweep["mass_ratio"].attrs
+    assert sweep["mass_ratio"].attrs["units"] == "1"
 
 
 def test_swept_parameters_carry_the_units_of_their_keys(job, joined):
@@ -91,6 +91,7 @@ def test_swept_parameters_carry_the_units_of_their_keys(job, joined):
     assert unit("trim", "start.pitch") == "rad"
     assert unit("transient", "coupling.criterion.tolerance") is None
     assert unit("nothing", "current") is None
+    assert unit("piston", "piston.mass_ratio") == unit("piston", "piston.added_mass_ratio") == "1"
 
 
 def test_what_was_given_is_the_axis_also_where_another_key_follows_it(job, joined, tmp_path):
@@ -206,6 +207,22 @@ def test_failed_and_missing_jobs_are_named_and_have_their_place(job, joined, tmp
     assert json.loads(sweep.attrs["missing"]) == ["r2s1"]
     assert "r2s1: missing" in caplog.text
     assert "r-1s0: failed: piston.mass_ratio=-1" in caplog.text
+
+
+def test_jobs_of_sweeps_in_folders_within_have_their_place_too(job, joined, tmp_path):
+    for sweep, ratios in (("a", (-1, 1)), ("b", (-3, 2))):
+        plan = {
+            f"r{ratio}": ["task=piston", SHORT, f"piston.mass_ratio={ratio}"] for ratio in ratios
+        }
+        (tmp_path / sweep).mkdir()
+        write_plan(tmp_path / sweep, "piston", plan)
+        job(f"{sweep}/r{ratios[1]}", *plan[f"r{ratios[1]}"][1:])
+    (tmp_path / "other").mkdir()
+    write_plan(tmp_path / "other", "equilibria", {"none": ["task=equilibria"]})
+    sweep = joined()
+    status = dict(zip(sweep["mass_ratio"].values, sweep["job_status"].values, strict=True))
+    assert status == {-3: "failed", -1: "failed", 1: "converged", 2: "converged"}
+    assert json.loads(sweep.attrs["missing"]) == []
 
 
 def test_a_refused_value_has_its_place_beside_numbers_that_follow_from_others(
