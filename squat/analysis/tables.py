@@ -83,10 +83,10 @@ def compare(name: str, data: xr.Dataset) -> pd.DataFrame:
                 **keys,
                 "paper": text,
                 "here": f"{here.value:.12g}",
-                **here.columns,
                 "difference": "" if math.isnan(apart) else f"{apart:.6g}",
                 "verdict": verdict,
                 "note": note,
+                **here.columns,
             }
         )
     return pd.DataFrame(rows)

@@ -50,7 +50,7 @@ def test_compared_runs_are_drawn_as_they_are(runs):
         (
             "result.step",
             None,
-            "result.step: no run has that .did you mean result.steps.; .* as result",
+            "result.step: no run has that .did you mean result.steps..; .* as result",
         ),
     ],
 )
