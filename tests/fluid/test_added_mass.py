@@ -49,7 +49,7 @@ def test_nested_refinement_raises_the_matrix_towards_the_exact_one(free_surface)
         assert np.linalg.eigvalsh((change + change.T) / 2).min() > -1e-9
 
 
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(
     st.floats(1.2, 6.0),
     st.floats(0.5, 5.0),

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-CASES = int(os.environ.get("SQUAT_FUZZ", "160"))
+CASES = int(os.environ.get("SQUAT_FUZZ", "120"))
 """Generated inputs; `make test-fuzz` gives 10,000."""
 PROCESSES = 2
 

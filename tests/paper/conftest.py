@@ -22,7 +22,7 @@ def computed(function, task, *overrides):
 
 RUNS = [
     *((name, speed) for name in ("printed", "printed_standard") for speed in (1, 2, 2.25, 2.5)),
-    ("printed_euler", 1),
+    ("printed_euler", 1, "time.periods=0.5"),
     ("printed_backward", 1),
 ]
 
