@@ -59,7 +59,7 @@ def _geometry(case: LimitsCase) -> list[str]:
         found.append("1D limit: takes the hull for a box of its length and draft")
     if chords := getattr(case.hull, "segments", None):
         found.append(
-            f"polygon: the hull's bends are chords (hull.segments={chords}), errors told are those "
+            f"chords: the hull's bends are chords (hull.segments={chords}), errors told are those "
             "of the elements on them; twice as many show what the chords leave out"
         )
     if case.channel.bottom:

@@ -144,10 +144,28 @@ def test_report_shows_every_figure_and_table_and_needs_no_network(tree, case):
         assert drawn == {getattr(block, kind) for block in blocks} - {None}
 
 
-def test_every_job_leaves_a_log_and_a_benchmark(tree):
+def test_every_job_leaves_a_log_and_a_benchmark_of_its_own(tree, path):
     logs = {path.stem for path in (tree / RESULTS / "logs").iterdir()}
     assert logs == {path.stem for path in (tree / RESULTS / "benchmarks").iterdir()}
-    assert {"iterations", "equilibria", "table2", "fig10", "verdicts", "report"} <= logs
+    assert {"iterations", "figure_iterations", "equilibria", "table2", "verdicts"} <= logs
+    done = snakemake(tree, path, "all", "--detailed-summary")
+    head, *rows = (line.split("\t") for line in done.stdout.splitlines() if "\t" in line)
+    rule, log = head.index("rule"), head.index("log-file(s)")
+    rules = {}
+    for row in rows:
+        rules.setdefault(row[log], set()).add(row[rule])
+    assert len(rules) == len(logs)
+    assert [found for found in rules.values() if len(found) > 1] == []
+
+
+def test_every_attribute_is_explained(tree):
+    intro, *sections = (ROOT / "docs/datasets.md").read_text().split("\n## ")
+    for path in (tree / RESULTS).rglob("*.nc"):
+        attributes = read(path).attrs
+        kind = attributes["schema"].split("/")[1]
+        (section,) = (one for one in sections if one.startswith(f"`{kind}`:"))
+        unexplained = [name for name in attributes if f"`{name}`" not in intro + section]
+        assert unexplained == [], path
 
 
 def test_second_run_does_nothing(tree, path):

@@ -42,9 +42,9 @@ for FIGURE, SOURCE in FIGURES.items():
             png=f"{RESULTS}/figures/{FIGURE}.png",
             svg=f"{RESULTS}/figures/{FIGURE}.svg",
         log:
-            f"{RESULTS}/logs/{FIGURE}.log",
+            f"{RESULTS}/logs/figure_{FIGURE}.log",
         benchmark:
-            f"{RESULTS}/benchmarks/{FIGURE}.tsv"
+            f"{RESULTS}/benchmarks/figure_{FIGURE}.tsv"
         params:
             figure=FIGURE,
             data=lambda wildcards, input: ",".join(f'"{name}"' for name in input),

@@ -65,9 +65,9 @@ rule hull_shapes:
     output:
         f"{RESULTS}/stability/hull_shapes.nc",
     log:
-        f"{RESULTS}/logs/hull_shapes_task.log",
+        f"{RESULTS}/logs/hull_shapes.log",
     benchmark:
-        f"{RESULTS}/benchmarks/hull_shapes_task.tsv"
+        f"{RESULTS}/benchmarks/hull_shapes.tsv"
     threads: CORES
     params:
         cases=f"cases/hull_shapes@_global_={CASES}",

@@ -5,9 +5,9 @@ rule trim:
     output:
         f"{RESULTS}/trim/trim.nc",
     log:
-        f"{RESULTS}/logs/trim_task.log",
+        f"{RESULTS}/logs/trim.log",
     benchmark:
-        f"{RESULTS}/benchmarks/trim_task.tsv"
+        f"{RESULTS}/benchmarks/trim.tsv"
     params:
         cases=f"cases/trim@_global_={CASES}",
         config=configured("trim", f"cases/trim@_global_={CASES}"),
