@@ -102,4 +102,8 @@ if __name__ == "__main__":
     typed = _parser().parse_args()
     if not typed.recording.is_file():
         _parser().error(f"{typed.recording}: no such file; squat task=replay makes one")
+    if typed.recording.read_bytes()[:3] != b"RRF":
+        _parser().error(f"{typed.recording}: no recording; squat task=replay makes one")
+    if not typed.picture.absolute().parent.is_dir():
+        _parser().error(f"{typed.picture}: no such folder; make it, or give another")
     main(typed.recording, typed.picture, typed.sim_time)

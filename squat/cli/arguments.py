@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from contextlib import suppress
+from pathlib import Path
 
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.errors import HydraException
@@ -59,7 +60,17 @@ def _with_list(word: str, keys: set[str]) -> str:
     key, _, value = word.partition("=")
     if key not in keys or "," not in value or value.startswith(_READ_BY_HYDRA):
         return word
-    return f"{key}=[{','.join(quoted(name) for name in value.split(','))}]"
+    return f"{key}=[{','.join(quoted(name) for name in _files(value.split(',')))}]"
+
+
+def _files(pieces: Sequence[str]) -> list[str]:
+    """Names of files that `pieces` between commas make: a name may hold some itself."""
+    names, rest = [], list(pieces)
+    while rest:
+        joined = (",".join(rest[:count]) for count in range(1, len(rest) + 1))
+        names.append(next((name for name in joined if Path(name).exists()), rest[0]))
+        rest = rest[names[-1].count(",") + 1 :]
+    return names
 
 
 def _condition(word: str) -> str:

@@ -49,7 +49,7 @@ def check(overrides: Sequence[str]) -> None:
             raise InputError(f"{' '.join(tasks)}: a multirun has one task; start one for each")
         seen: set[str] = set()
         for job in jobs:
-            new = {word for word in job if not _NUMBER.fullmatch(word.partition("=")[2])} - seen
+            new = {word for word in job if not _numeric(word)} - seen
             if new:
                 _compose(job, jobs)
                 seen |= new
@@ -57,12 +57,34 @@ def check(overrides: Sequence[str]) -> None:
 
 def _compose(job: list[str], jobs: list[list[str]]) -> None:
     """Compose one of `jobs`; raises InputError that says which, by what not all of them have."""
+    if (error := _refused(job)) is None:
+        return
+    own = " ".join(word for word in job if not all(word in other for other in jobs))
+    line = condense(error, job)
+    key, unknown, _ = line.partition(": unknown key; ")
+    if unknown and (taken := _taken(jobs)):
+        has, lacks = (" ".join(w for w in a if w not in b) for a, b in ((taken, job), (job, taken)))
+        raise InputError(f"{key}: a key of {has}, not of {lacks}; put it into a file of its own")
+    raise InputError(f"{line} (with {own})" if own else line)
+
+
+def _taken(jobs: list[list[str]]) -> list[str] | None:
+    """A job that composes, if one does; of those that differ by numbers one is tried."""
+    tried = {tuple(word for word in job if not _numeric(word)): job for job in jobs}
+    return next((job for job in tried.values() if _refused(job) is None), None)
+
+
+def _numeric(word: str) -> bool:
+    return _NUMBER.fullmatch(word.partition("=")[2]) is not None
+
+
+def _refused(job: list[str]) -> HydraException | None:
+    """Why Hydra does not compose `job`; None: it does."""
     try:
         compose("config", job)
     except HydraException as error:
-        own = [word for word in job if not all(word in other for other in jobs)]
-        which = f" (with {' '.join(own)})" if own else ""
-        raise InputError(f"{condense(error, job)}{which}") from None
+        return error
+    return None
 
 
 def _combinations(overrides: Sequence[str]) -> list[list[str]]:

@@ -19,6 +19,9 @@ _KNOWN = {
     r"Could not find '(?P<key>.+)/(?P<option>[^/']*)'": (
         "{key}={option}: unknown; give one of {choices}"
     ),
+    r"In '(?P<file>[^']+)': Could not load '(?P<key>[^']+)'": (
+        "{file}.yaml: defaults: {key}: unknown; give one of those in conf/"
+    ),
     r"You must specify '(?P<key>[^']+)'": "{key}: missing; give {key}=NAME, one of {choices}",
     r"Missing mandatory value: (?P<key>\S+)": "{key}: missing; give {key}=VALUE",
     r"Ambiguous value for argument '(?P<key>.+)'\n": (

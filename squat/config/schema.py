@@ -178,7 +178,8 @@ def _describe(detail: ErrorDetails, config: Mapping[str, Any]) -> str:
         return f"{path}={_short(value)}: unknown key; {hint}"
     if detail["type"] == "union_tag_not_found":
         tag = str(detail["ctx"]["discriminator"]).strip("'")
-        return f"{path}.{tag}: missing; give {path}.{tag}=NAME"
+        file = f", or defaults: [NAME, _self_] in the file of {path}=" if path == "hull" else ""
+        return f"{path}.{tag}: missing; give {path}.{tag}=NAME{file}"
     if detail["type"] == "tuple_type":
         return f"{path}={_short(value)}: must be a list; give {path}=[{_short(value)}]"
     if found := _SIZE.match(message):

@@ -84,6 +84,8 @@ def draw(table: pd.DataFrame, variable: str, over: str | None, units: Units = _n
         left_out = f"{lacking} of {len(table)} runs left out: without {missing}"
         _log.warning("%s", left_out)
         notes.append(left_out)
+    if len({line.get_linewidth() for line in axes.lines}) > 1:
+        notes.append("a thick line lies under others")
     axes.set_title("\n".join(filter(None, notes)), fontsize=8, loc="right")
     if (lines := len(axes.lines)) > 1:
         figure.set_figheight(4.0 + _LINE * lines)

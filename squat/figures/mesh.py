@@ -110,9 +110,8 @@ def _interpolation(axes: Axes, data: xr.Dataset, zone: int) -> None:
     moved = data["moved_x"].values, data["moved_z"].values
     for (x, z), prefix, color in ((rest, "corner", "0.6"), (moved, "moved_corner", RED)):
         axes.triplot(x, z, faces, color=color, lw=0.3)
-        axes.plot(
-            data[f"{prefix}_x"].values[loop], data[f"{prefix}_z"].values[loop], "o-", color=color
-        )
+        at = (data[f"{prefix}_{axis}"].values[loop] for axis in "xz")
+        axes.plot(*at, "o-", color=color, clip_on=False)
     some = nodes[:: max(1, len(nodes) // 25)]
     axes.quiver(
         rest[0][some],

@@ -213,10 +213,8 @@ def _load(path: Path, label: str, number: int) -> Run:
     data = records.read(path)
     kind = str(data.attrs["schema"]).split("/")[1]
     if kind not in MOVING:
-        raise InputError(
-            f"{path}: holds {kind!r}, which does not move; "
-            "give a file of squat task=transient or task=piston"
-        )
+        what = "joins several runs" if kind == "sweep" else f"holds {kind!r}, which does not move"
+        raise InputError(f"{path}: {what}; give a file of squat task=transient or task=piston")
     held = kind == TRANSIENT.name and "fields" in records.groups(path)
     return Run(label, path, data, _snapshots(path) if held else None, number)
 

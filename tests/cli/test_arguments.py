@@ -59,3 +59,17 @@ def test_a_key_of_a_swept_choice_is_a_sweep_over_one_value(typed, value):
     assert one.is_add() == typed.startswith("+")
     (only,) = one.sweep_iterator()
     assert only == value
+
+
+def test_names_with_commas_are_those_of_files(tmp_path, monkeypatch):
+    """A folder that a sweep named by a hull's points."""
+    monkeypatch.chdir(tmp_path)
+    names = "points-[[0,0],[0,-4]]/run.nc", "b,c.nc", "d.nc"
+    for name in names:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    assert readable(["task=replay", f"run={','.join(names)}"])[1] == (
+        'run=["points-[[0,0],[0,-4]]/run.nc","b,c.nc","d.nc"]'
+    )
+    assert readable(["task=replay", f"run={names[0]}"])[1] == f'run=["{names[0]}"]'
+    assert readable(["task=replay", "run=no,none"])[1] == 'run=["no","none"]'

@@ -28,8 +28,7 @@ from squat.records import read
         ),
         (
             ["-m", "task=mesh", "hull=lewis,v", "hull.segments=24"],
-            "squat: hull.segments=24: unknown key; did you mean 'hull.length'? squat task=NAME "
-            "--cfg job lists the keys (with hull=v)\n",
+            "squat: hull.segments=24: a key of hull=lewis, not of hull=v; put it into a file of",
         ),
         (["task=piston", "+pistn.x=2"], "squat: pistn={'x': 2}: unknown key;"),
         (["task=piston", "piston.mass_ratio=0"], "squat: piston.mass_ratio=0: must be greater"),

@@ -21,6 +21,17 @@ def test_usage_tells_that_the_moment_is_sim_time_in_seconds(root, tmp_path):
     assert done.returncode == 2
     assert "no.rrd: no such file; squat task=replay makes one" in done.stderr
     assert list(tmp_path.iterdir()) == []
+    (tmp_path / "run.nc").write_bytes(b"\x89HDF")
+    (tmp_path / "run.rrd").write_bytes(b"RRF2")
+    for given, said in (
+        (("run.nc", "out.png"), "run.nc: no recording; squat task=replay makes one"),
+        (("run.rrd", "no/out.png"), "no/out.png: no such folder; make it, or give another"),
+    ):
+        done = subprocess.run(
+            [*command, *given, "8"], capture_output=True, text=True, check=False, cwd=tmp_path
+        )
+        assert done.returncode == 2
+        assert said in done.stderr
 
 
 def test_a_moment_beyond_the_end_is_refused_with_the_end(tmp_path, monkeypatch):
