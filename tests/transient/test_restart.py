@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -81,16 +82,23 @@ def made(tmp_path_factory):
     return "mesh=coarse", *files
 
 
+def shorter(made, folder, *overrides):
+    """Case and segments in `folder` of a run of 14 steps with segments of 3."""
+    given = "time.periods=0.2", "restart.interval=3", "restart.pause=0", *overrides
+    config = compose("transient", *made, "current=2", *given)
+    return validate(config).case, Segments(folder / "r.nc.parts", strict_identity(config))
+
+
 @pytest.fixture
 def short(made, tmp_path):
-    """A run of 14 steps with segments of 3: overrides to (case, segments)."""
+    return lambda *overrides: shorter(made, tmp_path, *overrides)
 
-    def make(*overrides):
-        given = "time.periods=0.2", "restart.interval=3", "restart.pause=0", *overrides
-        config = compose("transient", *made, "current=2", *given)
-        return validate(config).case, Segments(tmp_path / "r.nc.parts", strict_identity(config))
 
-    return make
+@pytest.fixture(scope="module")
+def undisturbed(made, tmp_path_factory):
+    """Folder of the segments that such a run leaves, and the digest of its values."""
+    case, segments = shorter(made, tmp_path_factory.mktemp("undisturbed"))
+    return segments.folder, digest(run(case, segments).dataset)
 
 
 def test_killed_at_twenty_moments_equals_undisturbed(made, tmp_path):
@@ -135,9 +143,10 @@ def test_the_killed_command_goes_on_and_leaves_one_file(made, tmp_path, squat):
 
 @pytest.mark.parametrize("harm", ["truncate", "flip", "empty", "text", "remove"])
 @pytest.mark.parametrize("which", [0, 2])
-def test_a_damaged_segment_is_noticed_and_done_again(short, caplog, harm, which):
+def test_a_damaged_segment_is_noticed_and_done_again(short, undisturbed, caplog, harm, which):
     case, segments = short()
-    expected = digest(run(case, segments).dataset)
+    left, expected = undisturbed
+    shutil.copytree(left, segments.folder)
     files = sorted(segments.folder.iterdir())
     assert len(files) == 4
     whole = bytearray(files[which].read_bytes())
