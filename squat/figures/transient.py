@@ -137,7 +137,7 @@ def fig12(run: xr.Dataset) -> Figure:
     axes.plot(*line, color=BLUE, label=f"2D{' (the corners are singular)' if beyond else ''}")
     ends = run["hull_x"].values.min(), run["hull_x"].values.max()
     axes.plot(ends, [one / 1000] * 2, color=RED, ls="--", label=_uniform(run))
-    axes.set_xlabel("$x$ from the bow, along the hull's underside [m]")
+    axes.set_xlabel("$x$ from the bow, where the hull is flatter than 45° [m]")
     axes.set_ylabel("pressure less hydrostatic [kPa]")
     title = rf"$V_\infty$ = {run.attrs['current']:g} m/s, $\omega t$ = {float(end['phase']):.2f}"
     noise = ", grounded: noise of the mesh" if run.attrs["status"] == "grounded" else ""

@@ -16,11 +16,12 @@ def told(mesh: Mesh, whose: str = "") -> Mesh:
     needles = int((found < _NEEDLE).sum())
     if needles:
         _log.warning(
-            "%s: least quality %.2g, %d of %d triangles below %g: needles, where corners of the "
-            "hull are close or nearly in line; numbers hardly suffer; half as many hull.segments=, "
-            "or hull.points= further apart, avoid them",
+            "%s: least quality %.2g at x = %.4g m, %d of %d triangles below %g: needles, where "
+            "corners of the hull are close or nearly in line; numbers hardly suffer, and may be "
+            "left; far fewer hull.segments=, or hull.points= further apart there, avoid them",
             f"mesh of {whose}" if whose else "mesh",
             found.min(),
+            mesh.points[mesh.triangles[found.argmin()], 0].mean(),
             needles,
             len(found),
             _NEEDLE,
