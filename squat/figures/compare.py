@@ -77,15 +77,12 @@ def draw(table: pd.DataFrame, variable: str, over: str | None, units: Units = _n
         names = [variables(file) for file in table["file"]]
         held = pd.DataFrame({name: [name in one for one in names] for name in wanted}, table.index)
         kept = _kept(table, held.all(axis=1), wanted)
-        draw_lines(axes, kept, variable, over)
-        notes = []
+        notes = [draw_lines(axes, kept, variable, over)]
     if lacking := len(table) - len(kept):
         missing = " or ".join(name for name in wanted if not held[name].all())
         left_out = f"{lacking} of {len(table)} runs left out: without {missing}"
         _log.warning("%s", left_out)
         notes.append(left_out)
-    if len({line.get_linewidth() for line in axes.lines}) > 1:
-        notes.append("a thick line lies under others")
     axes.set_title("\n".join(filter(None, notes)), fontsize=8, loc="right")
     if (lines := len(axes.lines)) > 1:
         figure.set_figheight(4.0 + _LINE * lines)

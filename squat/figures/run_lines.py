@@ -21,8 +21,8 @@ _DOT = 3.5  # size of a ring over the width of a line
 _MOST = 20  # lines that a reader can still tell apart by legend and dashes
 
 
-def draw_lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> None:
-    """One line a run, named by what differs between the runs."""
+def draw_lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None) -> str:
+    """One line a run, named by what differs between the runs; returns what thick lines mean."""
     if len(table) > _MOST:
         raise InputError(f"runs: {len(table)} lines in one plot; narrow them to {_MOST} by where=")
     labelled = _labelled(table)
@@ -34,6 +34,7 @@ def draw_lines(axes: Axes, table: pd.DataFrame, variable: str, over: str | None)
         axes.plot(across.values, values.values, label=label, **shown)
         axes.set_xlabel(axis_label(across.attrs["long_name"], across.attrs["units"]))
         axes.set_ylabel(axis_label(values.attrs["long_name"], values.attrs["units"]))
+    return "a thick line lies under others" if len({look["lw"] for look in seen}) > 1 else ""
 
 
 def _curve(data: xr.Dataset, variable: str, over: str | None) -> tuple[xr.DataArray, xr.DataArray]:

@@ -183,6 +183,10 @@ def test_runs_that_differ_are_equally_thick(runs):
     (axes,) = draw(both, "position", None).axes
     widths = [line.get_linewidth() for line in axes.lines]
     assert widths[0] > widths[1] == widths[2]
+    assert axes.get_title(loc="right") == "a thick line lies under others"
+    for apart in (("position", None), ("result.position_last", "piston.mass_ratio")):
+        (axes,) = draw(select(find([runs]), "kind == 'piston'"), *apart).axes
+        assert axes.get_title(loc="right") == ""
 
 
 def test_a_key_that_some_runs_lack_is_named_only_where_nothing_else_tells():
