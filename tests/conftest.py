@@ -11,7 +11,10 @@ from tests.composition import remember
 from tests.forks import Forks
 
 ROOT = Path(__file__).parents[1]
-LONGEST = ("tests/workflow/", "tests/paper/", "tests/docs/", "tests/faults/", "tests/cli/")
+LONGEST = tuple(
+    f"tests/{room}/"
+    for room in ("workflow", "paper", "docs", "faults", "trim", "transient", "fluid", "fuzz", "cli")
+)
 """Folders that begin first, so that no worker waits for another at the end."""
 
 
