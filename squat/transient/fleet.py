@@ -72,7 +72,10 @@ class Fleet:
 
     def rates(self, w: Vector, P: Vector, V: Vector) -> tuple[Vector, Vector]:
         """w' and P'."""
-        _, c, da, dc = self.water(w)
+        return self._rates(self.water(w), w, P, V)
+
+    def _rates(self, water: Vector, w: Vector, P: Vector, V: Vector) -> tuple[Vector, Vector]:
+        _, c, da, dc = water
         v = P / (self.mass + c)
         return v, dc * v**2 / 2 + V**2 / 2 * (da + self.head) - self.stiffness * w
 
@@ -103,8 +106,9 @@ class Fleet:
 
     def _step(self, ships: "_Ships", dt: float, end: float) -> tuple["_Ships", Fates]:
         w, P, V = ships.w, ships.P, ships.V
-        k1 = self.rates(w, P, V)
-        h = np.minimum(dt, self._within(_APPROACH * (w + self.curves.clearance), w, *k1))
+        water = self.water(w)
+        k1 = self._rates(water, w, P, V)
+        h = np.minimum(dt, self._within(_APPROACH * (w + self.curves.clearance), water, *k1))
         k2 = self.rates(w + h / 2 * k1[0], P + h / 2 * k1[1], V)
         k3 = self.rates(w + h / 2 * k2[0], P + h / 2 * k2[1], V)
         k4 = self.rates(w + h * k3[0], P + h * k3[1], V)
@@ -133,12 +137,12 @@ class Fleet:
         after = ships._replace(w=new, P=momentum, time=time, least=least, turns=turns)
         return after, Fates(outcome, time, least + self.curves.clearance, gain)
 
-    def _within(self, way: Vector, w: Vector, v: Vector, force: Vector) -> Vector:
+    def _within(self, way: Vector, water: Vector, v: Vector, force: Vector) -> Vector:
         """Time [s] in which ships go no further than `way` [m], at the rates `v`, `force` of now.
 
         The positive root of |v| h + |w''| h^2/2 = way.
         """
-        _, c, _, dc = self.water(w)
+        _, c, _, dc = water
         fall = np.abs(force - dc * v**2) / (self.mass + c)
         pace = np.abs(v) + np.sqrt(v**2 + 2 * fall * way)
         return np.asarray(2 * way / np.maximum(pace, _TINY))

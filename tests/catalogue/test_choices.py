@@ -12,6 +12,7 @@ from squat.catalogue.difference import difference
 from squat.catalogue.flat import row_of
 from squat.catalogue.telling import named, telling
 from squat.config import composed
+from squat.errors import InputError
 from squat.figures.compare import draw
 from squat.figures.labels import of_ships
 from squat.records.provenance import choices_of, seal
@@ -163,3 +164,17 @@ def test_a_choice_tells_before_its_own_name_does_unless_a_run_lacks_it():
 def test_choices_are_plain_text(folder):
     held = json.loads(api.open_run(folder / "feeder-10.nc").attrs["choices"])
     assert all(isinstance(choice, str) for choice in held.values())
+
+
+def test_a_misspelt_parent_or_none_in_a_file_of_ones_own_is_one_line(tmp_path):
+    """Neither Hydra's search path nor an unknown key: the file, and what it should say."""
+    (tmp_path / "conf/hull").mkdir(parents=True)
+    where = f"hydra.searchpath=[file://{tmp_path / 'conf'}]"
+    for text, said in (
+        ("defaults: [polygn, _self_]", r"^hull/mine\.yaml: defaults: hull/polygn: unknown; give"),
+        ("points: [[0, 0], [0, -4], [9, 0]]", r"defaults: \[NAME, _self_\] in the file of hull="),
+    ):
+        (tmp_path / "conf/hull/mine.yaml").write_text(text + "\n")
+        with pytest.raises(InputError, match=said) as caught:
+            api.run("mesh", where, "hull=mine")
+        assert "\n" not in str(caught.value)
