@@ -10,20 +10,24 @@ _NEEDLE = 0.01
 """Quality at rest that no ready-made hull comes near."""
 
 
-def told(mesh: Mesh, whose: str = "") -> Mesh:
-    """The mesh itself, with a warning where triangles are needles; `whose`: one hull of several."""
-    found = quality(mesh.points, mesh.triangles)
+def told(*meshes: Mesh, whose: str = "") -> Mesh:
+    """The last mesh itself, with one warning, of the worst, where triangles are needles.
+
+    `whose`: one hull of several.
+    """
+    worst = min(meshes, key=lambda mesh: float(quality(mesh.points, mesh.triangles).min()))
+    found = quality(worst.points, worst.triangles)
     needles = int((found < _NEEDLE).sum())
     if needles:
         _log.warning(
             "%s: least quality %.2g at x = %.4g m, %d of %d triangles below %g: needles, where "
             "corners of the hull are close or nearly in line; numbers hardly suffer, and may be "
-            "left; far fewer hull.segments=, or hull.points= further apart there, avoid them",
+            "left; hull.points= further apart there, or far fewer hull.segments=, avoid them",
             f"mesh of {whose}" if whose else "mesh",
             found.min(),
-            mesh.points[mesh.triangles[found.argmin()], 0].mean(),
+            worst.points[worst.triangles[found.argmin()], 0].mean(),
             needles,
             len(found),
             _NEEDLE,
         )
-    return mesh
+    return meshes[-1]

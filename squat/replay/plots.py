@@ -87,7 +87,7 @@ def failed_contraction(data: xr.Dataset) -> xr.DataArray:
     return data.get("failed_contraction", xr.DataArray(np.nan))
 
 
-_ROOTS = ("stable root of (27)", "unstable root of (27)")
+_ROOTS = ("stable root of (27), a box", "unstable root of (27), a box")
 _WATER = ("water_energy", "static_energy", "stream_energy")
 PLOTS = (
     Plot(

@@ -4,7 +4,7 @@ They are for ships in three dimensions; V in m/s, lengths in m. Sources: docs/th
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -13,6 +13,8 @@ from squat.stability.equilibria import OneDimensionalModel
 from squat.water import Water
 
 KNOT = 1852 / 3600
+_ROUNDING = 1e-9
+"""Of a value: what a draft of 6 m that is read off a curved hull may miss it by, and more."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,15 @@ def _refused(*conditions: tuple[bool, str]) -> str:
 
 
 def _within(name: str, value: float, low: float, high: float) -> tuple[bool, str]:
-    return low <= value <= high, f"{name} = {value:.3g} is outside {low:g} to {high:g}"
+    """Whether a value is in a range whose ends belong to it, and the words if it is not."""
+    holds = low - _ROUNDING * value <= value <= high + _ROUNDING * value
+    told = next((text for text in _digits(value) if not low <= float(text) <= high), f"{value}")
+    return holds, f"{name} = {told} is outside {low:g} to {high:g}"
+
+
+def _digits(value: float) -> Iterator[str]:
+    """The value in words, three digits at first."""
+    return (f"{value:.{digits}g}" for digits in range(3, 17))
 
 
 def _unless(refused: str, squat: Callable[[], float]) -> Answer:
@@ -95,9 +105,10 @@ def schijf(ship: Particulars) -> Answer:
 def barrass(ship: Particulars) -> Answer:
     """C_B (S/(1 - S))^(2/3) V_knots^2.08 / 30."""
     S = ship.blockage
+    if S == 0:
+        return Answer(math.nan, math.nan, "needs width= of the channel")
     refused = _refused(
-        (S > 0, "needs width= of the channel"),
-        (S == 0 or 0.1 <= S <= 0.266, f"S = {S:.3g} is outside 0.1 to 0.266"),
+        _within("S", S, 0.1, 0.266),
         _within("C_B of the section", ship.block, 0.5, 0.9),
         _within("H/T", ship.depth / ship.draft, 1.1, 1.5),
     )

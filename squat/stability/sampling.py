@@ -9,7 +9,7 @@ from squat.channel import AnyHull, Channel, check_afloat
 from squat.fluid.accuracy import LEVELS, Accuracy, Estimate, extrapolate
 from squat.fluid.curves import Curves
 from squat.fluid.direct import DirectEnergies
-from squat.mesh import MeshSize, submesh
+from squat.mesh import Mesh, MeshSize, submesh
 from squat.mesh.generate import generate
 from squat.mesh.needles import told
 from squat.quantities import Vector
@@ -45,7 +45,20 @@ class Ship:
 
     def on(self, size: MeshSize) -> HeaveSystem:
         """The ship on a mesh of that size, in still water."""
-        mesh = told(generate(submesh(self.hull, self.channel, MODES), size), self.name)
+        return self._system(told(self._mesh(size), whose=self.name))
+
+    def levels(self, accuracy: Accuracy) -> list[HeaveSystem]:
+        """The ship on three graded P2 meshes, the coarsest first."""
+        check_afloat(self.hull, self.channel)
+        sizes = (accuracy.size(self.hull, self.channel, level) for level in range(LEVELS))
+        meshes = [self._mesh(size) for size in sizes]
+        told(*meshes, whose=self.name)
+        return [self._system(mesh) for mesh in meshes]
+
+    def _mesh(self, size: MeshSize) -> Mesh:
+        return generate(submesh(self.hull, self.channel, MODES), size)
+
+    def _system(self, mesh: Mesh) -> HeaveSystem:
         limits = mesh.submesh.limits
         low, high = (
             (self.grounding - 1) * limits.clearance,
@@ -53,12 +66,6 @@ class Ship:
         )
         curves = Curves.of(DirectEnergies(mesh, self.water, self.free_surface), low, high)
         return HeaveSystem.of(self.hull, self.water, curves)
-
-    def levels(self, accuracy: Accuracy) -> list[HeaveSystem]:
-        """The ship on three graded P2 meshes, the coarsest first."""
-        check_afloat(self.hull, self.channel)
-        sizes = (accuracy.size(self.hull, self.channel, level) for level in range(LEVELS))
-        return [self.on(size) for size in sizes]
 
 
 def estimate(values: list[float], accuracy: Accuracy) -> Estimate:

@@ -61,6 +61,10 @@ def test_needles_are_warned_of_by_number_and_ready_made_hulls_have_none(case, ca
     ship.on(case("mesh", "mesh=coarse").mesh)
     (named,) = (record.getMessage() for record in caplog.records)
     assert named.startswith("mesh of hulls.mine: least quality")
+    caplog.clear()
+    ship.levels(case("limits", "accuracy.near=0.4").accuracy)
+    (named,) = (record.getMessage() for record in caplog.records)
+    assert named.startswith("mesh of hulls.mine: least quality")
 
 
 def test_topology_follows_ugrid(stored):

@@ -206,6 +206,7 @@ def test_formulas_follow_their_scaling():
     [
         ("Schijf", {}, "needs width= of the channel"),
         ("Barrass", {"width": 1000.0}, "S = 0.0256 is outside 0.1 to 0.266"),
+        ("Barrass", {"width": 120.0, "block": 0.90004}, "C_B of the section = 0.90004 is outside"),
         ("Tuck/ICORELS", {"beam": None}, "needs beam= of the ship"),
         ("Tuck/ICORELS", {"width": 200.0}, "for open water; leave width= out"),
         ("Tuck/ICORELS", {"speed": 10.0}, "Fr_h = 0.824 is outside 0 to 0.7"),
@@ -217,6 +218,15 @@ def test_formulas_out_of_range_say_why(name, changes, reason):
     found = answer(name, **changes)
     assert math.isnan(found.squat)
     assert reason in found.note
+
+
+def test_the_ends_of_a_range_belong_to_it_whatever_rounding_says(case):
+    for depth in (1.5 * 12.0 * (1 + 1e-15), 1.1 * 12.0 * (1 - 1e-15)):
+        assert answer("Barrass", width=120.0, depth=depth, block=0.9 * (1 + 1e-15)).squat > 0
+    lewis = ("hull=lewis", "hull.length=90.0", "hull.draft=6.0", "hull.area_coefficient=0.85")
+    river = ("channel.depth=9.0", "channel.upstream=90.0", "beam=14.0", "width=80.0")
+    data = limits.run(case("limits", *QUICK, *lewis, *river))
+    assert data["formula_squat"].sel(formula="Barrass") > 0
 
 
 def test_numbers_are_printed_with_the_digits_that_they_deserve():
