@@ -34,6 +34,8 @@ class Block:
         Dataset of kind `convergence` below the results: numbers with their uncertainty.
     files
         Pattern of files below the results, to link to.
+    of
+        Dataset below the results that a table's numbers are from, to link to.
     title, text
         Heading and caption.
     """
@@ -45,6 +47,7 @@ class Block:
     columns: dict[str, str] = field(default_factory=dict)
     estimates: str | None = None
     files: str | None = None
+    of: str = ""
     title: str = ""
     text: str = ""
 

@@ -71,6 +71,8 @@ def _view(block: Block, members: Members, verdicts: pd.DataFrame) -> Any:
     if block.figure is not None:
         return picture(results, block.figure)
     if block.table is not None:
+        if not (results / block.of).exists():
+            raise InputError(f"{results / block.of}: no such file; run snakemake all first")
         return grid(block.table, read(results / "tables" / f"{block.table}.csv"))
     if block.claims is not None:
         return claim_rows(verdicts, block.claims)

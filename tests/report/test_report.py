@@ -69,6 +69,9 @@ def results(tmp_path, report):
         records.save(records.build(CONVERGENCE, ESTIMATES, HOW), tmp_path / name, {}, 0.0)
     run = api.run("transient", "mesh=coarse", "accuracy.near=0.4", "time.periods=0.03")
     run.to_netcdf(tmp_path / "run.nc", engine="h5netcdf")
+    for name in {block.of for block in contents.blocks if block.table}:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(tmp_path / "run.nc", tmp_path / name)
     return tmp_path
 
 
@@ -97,6 +100,8 @@ def test_the_page_is_whole_and_loads_nothing(results, report):
     for verdict, count in frame["verdict"].value_counts().items():
         assert f"{count} {verdict.replace('differs', 'differ')}" in text
     assert str(results) not in page.text
+    table4 = page.text.split('id="table4"')[1].split("</div>\n</div>")[0]
+    assert 'href="added_mass/table4.nc"' in table4
     assert "&lt;b&gt;" in page.text
     assert "2D squat speed mesh 3 2.5 2.25 1.00 2.00 +- 3.1e-01 m/s" in spaced(page.text)
     assert "period at 2 m/s time step – – – – none" in spaced(page.text)
@@ -113,7 +118,10 @@ def test_every_sentence_and_table_of_the_paper_has_one_place(report):
     assert tables == [*(f"table{n}" for n in range(1, 6)), "table5_critical", "table6", "table7"]
 
 
-@pytest.mark.parametrize("name", ["figures/fig10.svg", "tables/table3.csv", "tables/verdicts.csv"])
+@pytest.mark.parametrize(
+    "name",
+    ["figures/fig10.svg", "tables/table3.csv", "tables/verdicts.csv", "added_mass/table5.nc"],
+)
 def test_what_is_missing_is_named(results, report, name):
     (results / name).unlink()
     with pytest.raises(InputError, match=rf"{name}.*run snakemake all first"):
