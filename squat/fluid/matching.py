@@ -49,6 +49,23 @@ def rigid_modes(x_c: float, z_c: float) -> dict[str, Mode]:
     }
 
 
+def _bessel(count: int, x: Vector) -> Vector:
+    """J_(2j + 1/6)(x), shape (count, x); upwards by recurrence where x is beyond all orders.
+
+    J_(v+1) = (2 v/x) J_v - J_(v-1), stable for x > v (Abramowitz and Stegun 9.1.27).
+    """
+    rows = np.empty((count, len(x)))
+    near = x <= 2 * count
+    rows[:, near] = jv(2 * np.arange(count)[:, None] + _NU, x[near])
+    far = x[~near]
+    low, high = jv(_NU, far), jv(_NU + 1, far)
+    for j in range(count):
+        rows[j, ~near] = low
+        for order in (2 * j + 1 + _NU, 2 * j + 2 + _NU):
+            low, high = high, 2 * order / far * high - low
+    return rows
+
+
 class _Solution(NamedTuple):
     bow: Vector
     stern: Vector
@@ -105,7 +122,7 @@ class _Series:
     def transform(self, k: Vector) -> Vector:
         """Cosine transforms of the w_j over the gap, divided by d; shape (functions, k)."""
         x = np.where(k > 0, k, 1.0) * self.gap
-        rows = np.stack([jv(2 * j + _NU, x) / x**_NU for j in range(self.functions)])
+        rows = _bessel(self.functions, x) / x**_NU
         rows[:, k == 0] = self.mean[:, None]
         return np.asarray(rows, float)
 
@@ -140,14 +157,21 @@ class _Series:
     def side_integrals(self, mode: Mode) -> Vector:
         """Cosine integrals of the velocity over the hull's sides, shape (terms,)."""
         d, H = self.gap, self.depth
-        k = np.where(self.outer > 0, self.outer, 1.0)
-        sine = (np.sin(k * H) - np.sin(k * d)) / k
-        first = (H * np.sin(k * H) - d * np.sin(k * d)) / k
-        first += (np.cos(k * H) - np.cos(k * d)) / k**2
-        values = mode.g0 * sine + mode.g1 * first
+        zeroth, first = self._side_moments
+        values = mode.g0 * zeroth + mode.g1 * first
         if self.lid:
             values[0] = mode.g0 * (H - d) + mode.g1 * (H**2 - d**2) / 2
-        return values
+        return np.asarray(values)
+
+    @cached_property
+    def _side_moments(self) -> tuple[Vector, Vector]:
+        """Integrals over the sides of cos(k z), and of that times z."""
+        d, H = self.gap, self.depth
+        k = np.where(self.outer > 0, self.outer, 1.0)
+        zeroth = (np.sin(k * H) - np.sin(k * d)) / k
+        first = (H * np.sin(k * H) - d * np.sin(k * d)) / k
+        first += (np.cos(k * H) - np.cos(k * d)) / k**2
+        return zeroth, first
 
     @cached_property
     def _hyperbolic(self) -> tuple[Vector, Vector]:
@@ -163,6 +187,29 @@ class _Series:
     def _signs(self) -> Vector:
         return np.asarray(np.where(np.arange(1, self.inner.size + 1) % 2 == 0, 1.0, -1.0))
 
+    @cached_property
+    def _system(self) -> Vector:
+        """Matrix of the matching at bow and stern, of the mean flow under the keel, of the flux."""
+        J, d, mean = self.functions, self.gap, self.mean * self.gap
+        W, V = self.outer_transform, self.inner_transform
+        up, down = self.admittance
+        coth, csch = self._hyperbolic
+        same = (V * (2 * coth / self.inner)) @ V.T * d
+        other = (V * (2 * csch / self.inner)) @ V.T * d
+        size = 2 * J + (2 if self.lid else 1)
+        matrix = np.zeros((size, size))
+        matrix[:J, :J] = (W * (up * self.weights)) @ W.T * d**2 + same
+        matrix[:J, J : 2 * J] = -other
+        matrix[:J, 2 * J] = -mean
+        matrix[J : 2 * J, :J] = other - np.outer(mean, mean) * self.length / d
+        matrix[J : 2 * J, J : 2 * J] = -(W * (down * self.weights)) @ W.T * d**2 - same
+        matrix[J : 2 * J, 2 * J] = -mean
+        matrix[2 * J, :J], matrix[2 * J, J : 2 * J] = -mean, mean
+        if self.lid:
+            matrix[J : 2 * J, 2 * J + 1] = mean
+            matrix[2 * J + 1, J : 2 * J] = mean
+        return matrix
+
     def solve(self, mode: Mode, flux: float = 0.0) -> _Solution:
         """Potential with the hull moving in `mode`, and `flux` [m/s] leaving through Out."""
         J, d, L = self.functions, self.gap, self.length
@@ -170,29 +217,17 @@ class _Series:
         (up, down), sides = self.admittance, self.side_integrals(mode)
         coth, csch = self._hyperbolic
         F0, F1 = self._forcing(mode)
-        same = (V * (2 * coth / self.inner)) @ V.T * d
-        other = (V * (2 * csch / self.inner)) @ V.T * d
         at_bow = V @ ((coth - csch) * F1 / self.inner + F0) * d
         at_stern = V @ ((csch - coth) * F1 / self.inner + F0 + F1 * L) * d
         at_stern -= mean * (mode.s0 * L**2 / 2 + mode.s1 * L**3 / 6) / d
 
-        size = 2 * J + (2 if self.lid else 1)
-        matrix, right = np.zeros((size, size)), np.zeros(size)
-        matrix[:J, :J] = (W * (up * self.weights)) @ W.T * d**2 + same
-        matrix[:J, J : 2 * J] = -other
-        matrix[:J, 2 * J] = -mean
-        right[:J] = at_bow - (W * (up * self.weights)) @ sides * d
-        matrix[J : 2 * J, :J] = other - np.outer(mean, mean) * L / d
-        matrix[J : 2 * J, J : 2 * J] = -(W * (down * self.weights)) @ W.T * d**2 - same
-        matrix[J : 2 * J, 2 * J] = -mean
-        right[J : 2 * J] = at_stern + (W * (down * self.weights)) @ sides * d
-        matrix[2 * J, :J], matrix[2 * J, J : 2 * J] = -mean, mean
+        right = np.zeros(len(self._system))
+        right[:J] = at_bow - W @ (up * self.weights * sides) * d
+        right[J : 2 * J] = at_stern + W @ (down * self.weights * sides) * d
         right[2 * J] = -(mode.s0 * L + mode.s1 * L**2 / 2)
         if self.lid:
-            matrix[J : 2 * J, 2 * J + 1] = mean
-            matrix[2 * J + 1, J : 2 * J] = mean
             right[2 * J + 1] = flux * self.depth - sides[0]
-        x = np.asarray(np.linalg.solve(matrix, right), float)
+        x = np.asarray(np.linalg.solve(self._system, right), float)
         outlet = float(x[2 * J + 1]) if self.lid else 0.0
         return _Solution(x[:J], x[J : 2 * J], float(x[2 * J]), outlet, sides, mode, flux)
 
