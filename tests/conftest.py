@@ -7,7 +7,7 @@ import pytest
 from xdist.scheduler import LoadScopeScheduling
 
 from squat.config import compose, validate
-from tests.composition import remember
+from tests import kept
 from tests.forks import Forks
 
 ROOT = Path(__file__).parents[1]
@@ -22,7 +22,7 @@ if "PYTEST_XDIST_WORKER" in os.environ:  # the other workers have the other core
     os.environ.setdefault("LOKY_MAX_CPU_COUNT", "1")
 
 
-remember()
+kept.begin()
 
 
 class Scheduling(LoadScopeScheduling):

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -101,7 +100,7 @@ def advance(problem: Problem, coupling: Coupling, state: State, dt: float) -> St
     end = state
     if done.status == "converged":
         end = state.followed_by(done.motion, done.load.memory, done.learned)
-    norms = np.array([_size(residual) for residual in done.residuals])
+    norms = _sizes(np.array(done.residuals))
     return Step(done.status, end, norms, contraction(done.residuals), done.load.force)
 
 
@@ -148,6 +147,11 @@ def _size(residual: Vector) -> float:
     return math.sqrt(residual.dot(residual))
 
 
+def _sizes(residuals: Vector) -> Vector:
+    """Norms of the vectors (k, n); inf where a square is too large for a number."""
+    return np.asarray(np.sqrt(np.einsum("ki,ki->k", residuals, residuals)))
+
+
 def contraction(residuals: Iterable[Vector]) -> float:
     """Measured contraction factor of an iteration, NaN with fewer than three residuals.
 
@@ -163,15 +167,18 @@ def contraction(residuals: Iterable[Vector]) -> float:
     so ratios count from the third iterate on. Residuals that have grown beyond the first of
     these are left out: where the iteration diverges they are no longer small.
     """
-    finite = [(r, size) for r in residuals if math.isfinite(size := _size(r))][1:]
-    if len(finite) < 2 or not (scale := finite[0][1]) > 0:
+    vectors = np.array(list(residuals))
+    if len(vectors) < 3:
         return math.nan
-    products = squares = 0.0
-    for (before, size), (after, _) in pairwise(finite):
-        if size <= scale:
-            products += (before / scale).dot(after / scale)
-            squares += (size / scale) ** 2
-    return products / squares
+    sizes = _sizes(vectors)
+    finite = np.isfinite(sizes)
+    vectors, sizes = vectors[finite][1:], sizes[finite][1:]
+    if len(sizes) < 2 or not sizes[0] > 0:
+        return math.nan
+    vectors, sizes = vectors / sizes[0], sizes / sizes[0]
+    small = sizes[:-1] <= 1
+    products = np.einsum("ki,ki", vectors[:-1][small], vectors[1:][small])
+    return float(products / np.sum(sizes[:-1][small] ** 2))
 
 
 def march(

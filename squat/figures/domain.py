@@ -103,7 +103,9 @@ def fig8(data: xr.Dataset) -> Figure:
     _measure(axes, (stern, low), (right, low), f"$D_{{out}}$ = {right - stern:.4g} m", "below")
     middle = float(ship_x[ship_z == keel].mean())
     bed = float(np.interp(middle, data["bed_x"], data["bed_z"]))
-    _measure(axes, (middle, keel), (middle, top), f"$T$ = {top - keel:.4g} m", "on")
+    _measure(
+        axes, (middle, keel), (middle, top), f"$T$ = {top - keel:.4g} m", _inside(middle, surface)
+    )
     _measure(axes, (middle, bed), (middle, keel), f"$UKC$ = {keel - bed:.4g} m", "foot")
     at = left - 0.02 * (right - left)
     floor = float(np.interp(left, data["bed_x"], data["bed_z"]))
@@ -114,14 +116,25 @@ def fig8(data: xr.Dataset) -> Figure:
     return figure
 
 
+_NEAR_THE_MIDDLE = 0.3  # of the length: a label has room on either side
 _PLACES: dict[str, tuple[float, tuple[float, float], dict[str, Any]]] = {
     "above": (0.5, (0, 3), {"ha": "center", "va": "bottom"}),
     "below": (0.5, (0, -4), {"ha": "center", "va": "top"}),
     "on": (0.5, (0, 0), {"ha": "center", "va": "center", "bbox": {"fc": "w", "lw": 0, "pad": 1}}),
+    "before": (0.5, (-3, 0), {"ha": "right", "va": "center"}),
+    "behind": (0.5, (3, 0), {"ha": "left", "va": "center"}),
     "left": (0.5, (-3, 0), {"ha": "right", "va": "center", "rotation": 90}),
     "foot": (0.0, (0, -4), {"ha": "center", "va": "top"}),
 }
 """Where on its arrow a label is, its offset from there [pt], and how it is set."""
+
+
+def _inside(x: float, ends: Vector) -> str:
+    """Place of a label at an arrow in the hull: on it, or on the side that is away from an end."""
+    share = (x - ends.min()) / np.ptp(ends)
+    if abs(share - 0.5) < _NEAR_THE_MIDDLE:
+        return "on"
+    return "behind" if share < 0.5 else "before"
 
 
 def _measure(

@@ -33,19 +33,24 @@ def generate(submesh: Submesh, size: MeshSize) -> Mesh:
         Where it would have more nodes than `size` allows, or gmsh fails, with its reason.
     """
     check_count(submesh, size)
+    points, triangles, zone = triangulated(submesh, size)
+    named = boundary_edges(submesh, points, triangles, zone)
+    return Mesh(submesh, points, triangles, zone, named, size.order)
+
+
+def triangulated(submesh: Submesh, size: MeshSize) -> tuple[Vector, Index, Index]:
+    """Points (n, 2) [m], triangles (m, 3) and the zone of each (m,): what gmsh is asked for."""
     with _session():
         try:
             lines, surfaces = _geometry(submesh)
             _sizes(submesh, size, lines)
             gmsh.model.mesh.generate(2)
-            points, triangles, zone = _result(surfaces)
+            return _result(surfaces)
         except Exception as error:  # gmsh raises nothing more precise
             reason = " ".join(str(error).split())
             raise InputError(
                 f"mesh.near={size.near:g}: gmsh failed ({reason}); change it"
             ) from error
-    named = boundary_edges(submesh, points, triangles, zone)
-    return Mesh(submesh, points, triangles, zone, named, size.order)
 
 
 @contextmanager

@@ -21,8 +21,9 @@ def told(*meshes: Mesh, whose: str = "") -> Mesh:
     if needles:
         _log.warning(
             "%s: least quality %.2g at x = %.4g m, %d of %d triangles below %g: needles, where "
-            "corners of the hull are close or nearly in line; numbers hardly suffer, and may be "
-            "left; hull.points= further apart there, or far fewer hull.segments=, avoid them",
+            "corners of the hull are close or nearly in line; masses and limits hardly suffer, "
+            "pressure there may; hull.points= further apart there, or far fewer hull.segments=, "
+            "avoid them",
             f"mesh of {whose}" if whose else "mesh",
             found.min(),
             worst.points[worst.triangles[found.argmin()], 0].mean(),

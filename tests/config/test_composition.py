@@ -1,10 +1,10 @@
 """What tests keep of Hydra's work changes nothing that is composed."""
 
-import hydra._internal.config_loader_impl as loader
+import os
 
 from squat.config.compose import composed
 from squat.errors import InputError
-from tests import composition
+from tests.kept import FOLDER
 
 CASES = [
     ("transient", "mesh=coarse", "current=2"),
@@ -30,14 +30,9 @@ def made():
 
 
 def test_kept_choices_of_groups_compose_as_fresh_ones(monkeypatch):
-    first, again = list(made()), list(made())
-    assert loader.create_defaults_list is composition._list
-    monkeypatch.setattr(loader, "create_defaults_list", composition._LISTED)
-    monkeypatch.setattr(
-        loader.ConfigLoaderImpl,
-        "_compose_config_from_defaults_list",
-        composition._COMPOSED,
-    )
+    kept_once, kept = list(made()), list(made())
+    assert os.environ[FOLDER]
+    monkeypatch.delenv(FOLDER)
     fresh = list(made())
-    assert first == again == fresh
+    assert kept_once == kept == fresh
     assert sum(isinstance(one, str) for one in fresh) == 2

@@ -12,6 +12,7 @@ from pkgutil import resolve_name
 
 from squat.__main__ import main
 from squat.cli.tasks import DATASETS, FILES, GROUPED
+from tests import kept
 
 
 def load():
@@ -19,6 +20,7 @@ def load():
     files = (name for task, (_, name) in FILES.items() if task != "replay")
     for name in (*DATASETS.values(), *GROUPED.values(), *files):
         resolve_name(name)
+    kept.begin()
 
 
 def serve(listener):

@@ -21,7 +21,7 @@ from squat.cli.tasks import FILES, run_task
 from squat.errors import InputError
 from squat.mesh import MeshSize, submesh
 from squat.mesh.count import check_count
-from tests.composition import remember
+from tests import kept
 from tests.fuzz.files import prepare
 from tests.fuzz.inputs import Generator
 
@@ -122,13 +122,13 @@ def _nonsense():
 
 def main(count, seed):
     """Print faults and, last, the counts."""
-    remember()
+    kept.begin()
     command.run_task = light
     made = Generator(seed)
     counts, faults = Counter(), 0
     with tempfile.TemporaryDirectory(prefix="squat-fuzz-") as name:
         os.chdir(name)
-        kept = prepare(Path())
+        prepared = prepare(Path())
         for number in range(count):
             bad = made.bad()
             before = tree()
@@ -138,7 +138,7 @@ def main(count, seed):
                 found = {"n": number, "sort": bad.sort, "argv": bad.arguments, "fault": fault}
                 print(json.dumps(found), flush=True)
             counts[bad.sort, "refused" if done[0] == 2 else "accepted"] += 1
-            for path in set(tree()) - kept:
+            for path in set(tree()) - prepared:
                 Path(path).unlink(missing_ok=True)
             if number % 500 == 499:
                 print(json.dumps({"done": number + 1, "faults": faults}), flush=True)

@@ -8,6 +8,14 @@ from squat.config import compose
 from squat.mesh import MeshSize, quality, smallest_angle
 from squat.mesh.generate import generate
 from tests.hulls import NAMES, hull, zones
+from tests.kept import FOLDER
+
+
+@pytest.fixture(autouse=True)
+def fresh(monkeypatch):
+    """No mesh of another process, unless a test asks for it."""
+    monkeypatch.delenv(FOLDER)
+
 
 SIZE = {"far": 2.0, "slope": 0.35, "grading": 0.0, "corner_radius": 5.0, "order": 1}
 
@@ -37,6 +45,18 @@ def test_bytes_are_equal_from_run_to_run():
     one, two = (generate(zones("lewis"), MeshSize(near=0.5, **SIZE)) for _ in range(2))
     assert one.points.tobytes() == two.points.tobytes()
     assert one.triangles.tobytes() == two.triangles.tobytes()
+
+
+def test_the_mesh_that_another_process_keeps_is_the_fresh_one(monkeypatch, tmp_path):
+    asked = zones("lewis"), MeshSize(near=0.5, **SIZE)
+    fresh = generate(*asked)
+    monkeypatch.setenv(FOLDER, str(tmp_path))
+    kept_once, kept = generate(*asked), generate(*asked)
+    assert len(list(tmp_path.iterdir())) == 1
+    for mesh in (kept_once, kept):
+        assert mesh.points.tobytes() == fresh.points.tobytes()
+        assert mesh.triangles.tobytes() == fresh.triangles.tobytes()
+        assert mesh.zone.tobytes() == fresh.zone.tobytes()
 
 
 def test_paper_mesh_has_the_printed_node_count_within_a_tenth():

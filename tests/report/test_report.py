@@ -2,6 +2,7 @@
 
 import re
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -37,21 +38,27 @@ def spaced(page):
     return " ".join(re.sub(r"<[^>]*>", " ", page).split())
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def report(case):
     return lambda results: case("report", f'results="{results}"')
 
 
 @pytest.fixture
-def results(tmp_path, report):
+def results(tmp_path, whole):
     """A folder of results in which all that is printed is also computed."""
-    contents = report(tmp_path).contents
+    return Path(shutil.copytree(whole, tmp_path, dirs_exist_ok=True))
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory, report):
+    folder = tmp_path_factory.mktemp("results")
+    contents = report(folder).contents
     for name in filter(None, (block.figure for block in contents.blocks)):
         figure = Figure(figsize=(1, 1))
         figure.add_subplot().plot(np.arange(3))
-        (tmp_path / "figures").mkdir(exist_ok=True)
-        save(figure, tmp_path / "figures" / f"{name}.png")
-    (tmp_path / "tables").mkdir()
+        (folder / "figures").mkdir(exist_ok=True)
+        save(figure, folder / "figures" / f"{name}.png")
+    (folder / "tables").mkdir()
     rows = []
     for name in filter(None, (block.table for block in contents.blocks)):
         cells = [
@@ -59,20 +66,20 @@ def results(tmp_path, report):
             for cell in published.table(name)
         ]
         rows += [{**cell, "claim": f"{name} {n}"} for n, cell in enumerate(cells)]
-        pd.DataFrame(cells).to_csv(tmp_path / "tables" / f"{name}.csv", index=False)
+        pd.DataFrame(cells).to_csv(folder / "tables" / f"{name}.csv", index=False)
     claims = published.claims()
     rows += [{**row, "here": "<b>", "verdict": DIFFERS} for row in claims.to_dict("records")]
     rows[-1]["verdict"] = INCONSISTENT
     frame = pd.DataFrame(rows).reindex(columns=NAMES)
-    frame.to_csv(tmp_path / "tables" / "verdicts.csv", index=False)
+    frame.to_csv(folder / "tables" / "verdicts.csv", index=False)
     for name in filter(None, (block.estimates for block in contents.blocks)):
-        records.save(records.build(CONVERGENCE, ESTIMATES, HOW), tmp_path / name, {}, 0.0)
+        records.save(records.build(CONVERGENCE, ESTIMATES, HOW), folder / name, {}, 0.0)
     run = api.run("transient", "mesh=coarse", "accuracy.near=0.4", "time.periods=0.03")
-    run.to_netcdf(tmp_path / "run.nc", engine="h5netcdf")
+    run.to_netcdf(folder / "run.nc", engine="h5netcdf")
     for name in {block.of for block in contents.blocks if block.table}:
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        shutil.copy(tmp_path / "run.nc", tmp_path / name)
-    return tmp_path
+        (folder / name).parent.mkdir(exist_ok=True)
+        shutil.copy(folder / "run.nc", folder / name)
+    return folder
 
 
 def test_runs_of_another_configuration_are_left_out_and_named(results, case):
