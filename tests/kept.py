@@ -1,9 +1,10 @@
 """What takes long and comes out the same, made once in a session of tests, whichever process asks.
 
-Hydra's reading of `conf/` and gmsh's triangles. A process without the folder in its environment
-makes all anew, and so does a test that deletes it there.
+That is Hydra's reading of `conf/`, and gmsh's triangles. A process without the folder in its
+environment makes all anew, and so does a test that deletes it there.
 """
 
+import atexit
 import hashlib
 import os
 import pickle
@@ -21,8 +22,8 @@ def begin():
     """Keep in this process; the first one, of which the others are children, has the folder."""
     if FOLDER not in os.environ:
         folder = TemporaryDirectory(prefix="squat-kept-")
+        atexit.register(folder.cleanup)
         os.environ[FOLDER] = folder.name
-        begin.folder = folder  # it goes with the process
     composition.keep(kept)
     mesh.triangulated = _triangulated
 

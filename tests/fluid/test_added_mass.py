@@ -184,6 +184,17 @@ def test_record_has_the_promised_names(case):
     assert float(data["inertia_coefficient"]) == pytest.approx(i)
 
 
+def test_record_holds_the_water_and_no_pressure_at_its_open_sides(case):
+    data = run(case("added_mass", "mesh=coarse"))
+    x, z = data["node_x"].values, data["node_z"].values
+    a, b, c = (np.stack([x, z])[:, nodes] for nodes in data["face_node"].values.T)
+    (ux, uz), (vx, vz) = b - a, c - a
+    assert (ux * vz - uz * vx).sum() / 2 == pytest.approx((40 + 40 + 60) * 20 - 40 * 10)
+    free = (x == x.min()) | (x == x.max()) | (z == z.max())
+    assert free.sum() > 20
+    assert np.array_equal(data["pressure"].values.any(axis=0), ~free)
+
+
 def test_p2_lies_between_p1_on_the_same_triangles_and_the_extrapolated_value(case):
     linear, quadratic = (
         run(case("added_mass", "mesh=coarse", f"mesh.order={order}")) for order in (1, 2)

@@ -17,3 +17,10 @@ def test_a_flare_over_a_bulb_breaks_the_line_of_the_underside():
     under = underside(*outline.T)
     assert under.tolist() == [0, 1, 4, 5]
     assert breaks(under).tolist() == [2]
+
+
+def test_a_single_node_between_steep_sides_breaks_the_line_too():
+    outline = np.array([[0, -2], [4, -3], [5, -5], [6, -8], [30, -8]], float)
+    under = underside(*outline.T)
+    assert under.tolist() == [0, 1, 3, 4]
+    assert breaks(under).tolist() == [2]
