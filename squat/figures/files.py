@@ -13,4 +13,4 @@ def save(figure: Figure, path: Path) -> None:
         metadata = {"Date": None} if target.suffix == ".svg" else None
         with records.atomic(target) as temporary:
             figure.savefig(temporary, metadata=metadata)
-        figure.set_layout_engine("none")  # laid out: the next has everything in the same places
+        figure.set_layout_engine(None)  # laid out: the next has everything in the same places
