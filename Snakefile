@@ -17,6 +17,7 @@ CASES = config.get("cases", "paper")
 CORES = workflow.cores if CASES == "paper" else 1
 # Meshes of the jobs whose cases do not choose their own.
 ACCURACY = "default" if CASES == "paper" else "coarse"
+MESH = "paper" if CASES == "paper" else "coarse"
 
 
 wildcard_constraints:

@@ -40,12 +40,17 @@ rule added_mass:
         hull="|".join(HULLS),
     params:
         hull=lambda wildcards: HULLS[wildcards.hull],
+        mesh=MESH,
         accuracy=ACCURACY,
         config=lambda wildcards: configured(
-            "added_mass", *HULLS[wildcards.hull].split(), f"accuracy={ACCURACY}"
+            "added_mass",
+            *HULLS[wildcards.hull].split(),
+            f"mesh={MESH}",
+            f"accuracy={ACCURACY}",
         ),
     shell:
-        "squat task=added_mass {params.hull} accuracy={params.accuracy} 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=added_mass {params.hull} mesh={params.mesh} accuracy={params.accuracy}"
+        " 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule sensitivity:

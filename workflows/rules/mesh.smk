@@ -9,6 +9,7 @@ rule mesh:
     benchmark:
         f"{RESULTS}/benchmarks/mesh.tsv"
     params:
-        config=configured("mesh"),
+        mesh=MESH,
+        config=configured("mesh", f"mesh={MESH}"),
     shell:
-        "squat task=mesh 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=mesh mesh={params.mesh} 'out=\"{output}\"' > {log:q} 2>&1"

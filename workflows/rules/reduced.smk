@@ -11,9 +11,10 @@ rule reduced:
     benchmark:
         f"{RESULTS}/benchmarks/reduced.tsv"
     params:
-        config=configured("reduced"),
+        mesh=MESH,
+        config=configured("reduced", f"mesh={MESH}"),
     shell:
-        "squat task=reduced 'inputs.mesh=\"{input.mesh}\"' 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=reduced mesh={params.mesh} 'inputs.mesh=\"{input.mesh}\"' 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule stability_map:

@@ -10,11 +10,15 @@ rule stability:
         f"{RESULTS}/benchmarks/stability.tsv"
     params:
         cases=f"cases/stability@speeds={CASES} portrait={CASES}",
+        mesh=MESH,
         config=configured(
-            "stability", f"cases/stability@speeds={CASES}", f"portrait={CASES}"
+            "stability",
+            f"cases/stability@speeds={CASES}",
+            f"portrait={CASES}",
+            f"mesh={MESH}",
         ),
     shell:
-        "squat task=stability {params.cases} 'out=\"{output}\"' > {log:q} 2>&1"
+        "squat task=stability {params.cases} mesh={params.mesh} 'out=\"{output}\"' > {log:q} 2>&1"
 
 
 rule limits:

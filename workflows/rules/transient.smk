@@ -31,9 +31,11 @@ rule transient:
         coupling="[a-z_]+",
         current="[0-9.]+",
     params:
+        mesh=MESH,
         snapshots=RUNS["snapshots"],
         config=lambda wildcards: configured(
             "transient",
+            f"mesh={MESH}",
             f"current={wildcards.current}",
             f"coupling={wildcards.coupling.removesuffix(FREED)}",
             *MORE.get(wildcards.coupling, []),
@@ -41,7 +43,7 @@ rule transient:
         coupling=lambda wildcards: wildcards.coupling.removesuffix(FREED),
         more=lambda wildcards: MORE.get(wildcards.coupling, []),
     shell:
-        "squat task=transient current={wildcards.current} coupling={params.coupling}"
-        " snapshots={params.snapshots} {params.more:q}"
+        "squat task=transient mesh={params.mesh} current={wildcards.current}"
+        " coupling={params.coupling} snapshots={params.snapshots} {params.more:q}"
         " 'inputs.mesh=\"{input.mesh}\"' 'inputs.added_mass=\"{input.added_mass}\"'"
         " 'inputs.equilibria=\"{input.equilibria}\"' 'out=\"{output}\"' > {log:q} 2>&1"
