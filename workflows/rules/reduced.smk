@@ -28,7 +28,10 @@ rule stability_map:
         f"{RESULTS}/benchmarks/stability_map_data.tsv"
     params:
         cases=f"cases/map@_global_={CASES}",
-        config=configured("stability_map", f"cases/map@_global_={CASES}"),
+        mesh=MESH,
+        config=configured(
+            "stability_map", f"cases/map@_global_={CASES}", f"mesh={MESH}"
+        ),
     shell:
-        "squat task=stability_map {params.cases} 'inputs.reduced=\"{input.reduced}\"'"
+        "squat task=stability_map {params.cases} mesh={params.mesh} 'inputs.reduced=\"{input.reduced}\"'"
         " 'out=\"{output}\"' > {log:q} 2>&1"
