@@ -1,8 +1,8 @@
 """Runs generated bad input through the command in this process: COUNT SEED; JSON lines of faults.
 
 The command is the real one. Two things are taken from it for speed, and neither sees the input:
-what Hydra read from `conf/` is kept (tests/composition.py), and of input that turns out to be good
-only its geometry is made where a run would take long.
+what Hydra read from `conf/` and gmsh's triangles are kept (tests/kept.py), and of input that turns
+out to be good only its geometry is made where a run would take long.
 """
 
 import contextlib
